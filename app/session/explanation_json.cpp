@@ -81,7 +81,8 @@ Json diffuseJson(const DiffuseExplanation& d) {
   for (const LatticeNodeAtPoint& node : d.nodes) {
     nodes.push_back({{"node", {node.node.x, node.node.y, node.node.z}},
                      {"positionProbe", vector(node.positionProbe)},
-                     {"weight", number(node.weight)}});
+                     {"weight", number(node.weight)},
+                     {"ownLight", node.known}});
   }
   return {{"lamps", lamps},
           {"lattice",
@@ -176,6 +177,7 @@ std::string explanationJson(const Explanation& e, const std::optional<Verdict>& 
   json["differenceOfBrightestTexel"] = difference ? number(*difference) : none;
   json["direct"] = vector(e.direct);
   json["emissive"] = vector(e.emissive);
+  json["irradianceOverPi"] = e.irradiance ? vector(*e.irradiance) : Json(nullptr);
   json["diffuse"] = vector(e.diffuse);
   const float whole = e.color.x + e.color.y + e.color.z;
   json["diffuseShare"] = whole > 0.0f ? number((e.diffuse.x + e.diffuse.y + e.diffuse.z) / whole) : Json(nullptr);

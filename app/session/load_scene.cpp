@@ -95,7 +95,7 @@ LoadedScene loadBareModel(const std::string& path, const std::vector<std::string
   loaded.fit = fitModel(loaded.scene, loaded.models, wishes);
   adoptFromModels(loaded);
   loaded.scene.tone = Tone::Neutral;
-  loaded.scene.groundShadow = loaded.fit->kind == ModelKind::Object;
+  loaded.scene.groundShadow = loaded.scene.ambientOcclusion = loaded.fit->kind == ModelKind::Object;
   setSceneFields(loaded.scene, then);
   const bool exposureSet = std::any_of(then.begin(), then.end(),
                                        [](const std::string& assignment) { return groupOf(assignment) == "exposure"; });

@@ -54,7 +54,7 @@ void OffscreenScene::requireHealthy() const {
 
 void OffscreenScene::rest() {
   window_->MakeCurrent();
-  renderer_->foldConstants();
+  renderer_->specializePrograms();
   renderer_->finishWork();
 }
 

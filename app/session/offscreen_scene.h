@@ -46,7 +46,7 @@ class OffscreenScene {
   /// Captures and filters what is missing; `progress` gets the finished share, 0..1, and may return false to stop.
   /// False if it was stopped. What could not be made is told by requireHealthy().
   bool capture(const std::function<bool(double)>& progress = {});
-  /// To be drawn many times as it is now: programs with its numbers as constants (SceneRenderer::foldConstants).
+  /// To be drawn many times as it is now: programs with its numbers as constants (SceneRenderer::specializePrograms).
   void rest();
   /// A picture without its reflections, or with a mesh missing, must not pass for the real one: throws WorkError.
   void requireHealthy() const;

@@ -47,7 +47,7 @@ ReferencePicture integrateBox(SceneRenderer& renderer, const ReferenceBoxMaps& m
             (static_cast<std::uint64_t>(y * side + k / side) << 32) + static_cast<std::uint64_t>(x * side + k % side);
         bool exact = true;
         pixel.color += referenceBoxColor(surface, maps, plan.raysPerPass,
-                                         stirred(stirred(place) + static_cast<std::uint64_t>(pass)), &exact);
+                                         hashBits(hashBits(place) + static_cast<std::uint64_t>(pass)), &exact);
         pixel.alpha += surface.hit ? 1.0 : 0.0;
         pixel.exact = pixel.exact && exact;
       }

@@ -27,6 +27,7 @@ glm::dvec3 towards(double azimuthDegrees, double elevationDegrees) {
 /// A rectangle as seen from the middle, brightest in its centre, with soft edges.
 struct Softbox {
   double azimuthDegrees, elevationDegrees, halfWidthDegrees, halfHeightDegrees, edgeDegrees;
+  double fall;  ///< of the brightness from its centre to a corner
   glm::dvec3 radiance;
 
   glm::dvec3 seen(const glm::dvec3& direction) const {
@@ -41,31 +42,31 @@ struct Softbox {
       const double share = std::clamp((half + 0.5 * edgeDegrees - angle) / edgeDegrees, 0.0, 1.0);
       return share * share * (3.0 - 2.0 * share);
     };
-    const double falloff = 1.0 - 0.35 * std::min(1.0, (x * x) / (halfWidthDegrees * halfWidthDegrees) * 0.5 +
+    const double falloff = 1.0 - fall * std::min(1.0, (x * x) / (halfWidthDegrees * halfWidthDegrees) * 0.5 +
                                                           (y * y) / (halfHeightDegrees * halfHeightDegrees) * 0.5);
     return inside(x, halfWidthDegrees) * inside(y, halfHeightDegrees) * falloff * radiance;
   }
 };
 
 glm::dvec3 backdrop(double y) {
-  const glm::dvec3 floor(0.20, 0.195, 0.19), horizon(0.34, 0.345, 0.355), top(0.12, 0.125, 0.135);
+  const glm::dvec3 floor(0.34, 0.335, 0.33), horizon(0.58, 0.585, 0.595), top(0.24, 0.245, 0.255);
   const double share = std::abs(y);
   return y < 0.0 ? horizon + (floor - horizon) * std::sqrt(share) : horizon + (top - horizon) * share;
 }
 
 glm::dvec3 radiance(const glm::dvec3& direction) {
   static const std::vector<Softbox> boxes = {
-      {-22.0, 42.0, 26.0, 20.0, 8.0, {8.6, 8.2, 7.7}},    // key
-      {92.0, 18.0, 22.0, 30.0, 16.0, {1.15, 1.24, 1.4}},  // fill
-      {158.0, 38.0, 8.0, 30.0, 6.0, {6.2, 6.5, 7.1}},     // rim
-      {-92.0, 28.0, 9.0, 34.0, 8.0, {3.0, 3.1, 3.3}},     // second rim
+      {-30.0, 42.0, 28.0, 20.0, 16.0, 0.6, {8.6, 8.25, 7.8}},  // key
+      {80.0, 18.0, 22.0, 32.0, 20.0, 0.6, {1.5, 1.6, 1.75}},   // fill
+      {160.0, 37.0, 9.0, 32.0, 8.0, 0.45, {5.4, 5.6, 6.0}},    // rim
+      {-88.0, 28.0, 10.0, 36.0, 10.0, 0.45, {3.3, 3.4, 3.6}},  // second rim
   };
   glm::dvec3 sum = backdrop(direction.y);
-  const double above = std::clamp((direction.y - 0.80) / 0.12, 0.0, 1.0);
-  sum += above * above * (3.0 - 2.0 * above) * glm::dvec3(2.4, 2.45, 2.5);  // top light
+  const double above = std::clamp((direction.y - 0.72) / 0.24, 0.0, 1.0);
+  sum += above * above * (3.0 - 2.0 * above) * glm::dvec3(1.9, 1.95, 2.0);  // top light
   for (const Softbox& box : boxes) sum += box.seen(direction);
   // White paper that faces the camera of a fitted object then has a radiance of 0.94.
-  constexpr double kLevel = 0.68;
+  constexpr double kLevel = 0.63;
   return kLevel * sum;
 }
 

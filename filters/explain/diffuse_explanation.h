@@ -20,6 +20,7 @@ struct LatticeNodeAtPoint {
   glm::ivec3 node{0};             ///< along the axes of the box, from 0
   glm::vec3 positionProbe{0.0f};  ///< relative to the capture origin, box axes
   float weight = 0.0f;
+  bool known = true;  ///< false: it lies within something and has the light of its neighbours
 };
 
 struct DiffuseExplanation {
@@ -27,6 +28,7 @@ struct DiffuseExplanation {
   std::vector<LatticeNodeAtPoint> nodes;  ///< those with weight, the heaviest first; none: the capture's coefficients
   glm::ivec3 nodeCount{0};                ///< of the lattice along each axis
   glm::vec3 lattice{0.0f};                ///< irradiance over pi from the lattice
+  float known = 0.0f;                     ///< weight of the nodes whose light is their own, 0 to 1
 };
 
 }  // namespace boxprobe

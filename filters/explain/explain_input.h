@@ -10,6 +10,7 @@
 #include "filters/core/geometry/lamp_sight.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/geometry/scene_lamps.h"
+#include "filters/core/geometry/sky_openness.h"
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/scene.h"
 #include "filters/core/surface/surface_point.h"
@@ -43,12 +44,14 @@ struct ExplainedProbe {
   const BakedMaps* lookedUp() const { return lampFree != nullptr ? lampFree : maps; }
 };
 
-/// A depth map of moving objects from a light.
+/// A depth map from a light: of moving objects, or of those that stand still before a sun.
 struct MovingMap {
   int light = 0;
   int size = 0;
   std::vector<float> depth;  ///< rows from the bottom
   glm::dmat4 mapFromWorld{1.0};
+  glm::dvec2 apart{0.0};  ///< taps of its filter, in the map's coordinates
+  double off = 0.0;       ///< how far off the surface it is looked up, scene units
 };
 
 struct ExplainInput {
@@ -57,10 +60,12 @@ struct ExplainInput {
   std::vector<ExplainedProbe> probes;
   bool weights = true;        ///< false: one probe at full weight, nothing left for the sky
   bool sky = true;            ///< false: the sky gets no share
+  bool diffuse = true;        ///< false: the material is all metal
   bool onlyProbes = false;    ///< probes share the sky's part, wherever one has weight
   std::vector<float> shares;  ///< for the whole object, in place of weights at the point; empty: those are used
   float skyShare = 1.0f;      ///< with `shares`
   const BakedMaps* skyMaps = nullptr;
+  std::shared_ptr<const SkyOpenness> openness = {};  ///< how much of it the scene leaves open; null: all
   Energy energy = Energy::Single;
   std::vector<Light> lights;
   std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as glass
@@ -68,7 +73,8 @@ struct ExplainInput {
   const shading::MirrorLook* mirror = nullptr;
   std::vector<int> shadowLights;  ///< those for which this draw samples a probe's coverage
   std::vector<MovingMap> movingMaps;
-  std::vector<int> sightLights;  ///< those not visible from everywhere in a probe's box
+  std::vector<MovingMap> sunMaps;  ///< of suns for which this draw samples one
+  std::vector<int> sightLights;    ///< those not visible from everywhere in a probe's box
 };
 
 }  // namespace boxprobe

@@ -25,13 +25,13 @@ float coatNDotV(const SurfacePoint& s) {
 }
 
 /// Transmittance of the coat; 1 without one.
-float throughCoat(const SurfacePoint& s) {
+float coatTransmittance(const SurfacePoint& s) {
   return s.coatStrength > 0.0f ? shading::coatPasses(s.coatStrength, s.coatF0, coatNDotV(s)) : 1.0f;
 }
 
 /// Factor of the base's reflection besides the split sum: multiple scattering, and the coat's transmittance.
 glm::vec3 baseFactor(const Explanation& e, const ExplainInput& in) {
-  return throughCoat(in.surface) * passesSheen(in.surface, e.nDotV) * scattered(in, e.f0, e.brdf);
+  return coatTransmittance(in.surface) * passesSheen(in.surface, e.nDotV) * scattered(in, e.f0, e.brdf);
 }
 
 /// Glass reflects less by what it transmits; the transmitted light is sampled along the refracted view.
@@ -78,7 +78,7 @@ GatheredLight gatherForBase(const Explanation& e, const ExplainInput& in, const 
 
 /// Light from the whole hemisphere: the base's diffuse light, and the sheen above it.
 void addDiffuse(Explanation& e, const SurfacePoint& s, const glm::vec3& irradiance) {
-  const float under = passesSheen(s, e.nDotV), passes = s.occlusion * throughCoat(s);
+  const float under = passesSheen(s, e.nDotV), passes = s.occlusion * coatTransmittance(s);
   e.diffuse = passes * under * (1.0f - e.f0) * (1.0f - s.metallic) * irradiance * s.albedo;
   if (!s.finish || !s.finish->hasSheen()) return;
   e.sheen = passes * s.finish->sheenColor * shading::sheenAlbedo(e.nDotV, s.finish->sheenRoughness) * irradiance;
@@ -107,6 +107,7 @@ void lightByProbes(Explanation& e, const ExplainInput& in, const glm::vec3& edge
                             : gatherForBase(e, in, edge);
   e.specularFactor = s.occlusion * (e.f0 * e.brdf.x + edge * e.brdf.y) * baseFactor(e, in);
   e.specular = (light.specular + light.lampsMean(e.f0, edge, e.brdf)) * e.specularFactor;
+  if (in.diffuse) e.irradiance = light.irradiance;
   addDiffuse(e, s, light.irradiance);
   if (through) addGlass(e, in, *through, light.specular, edge);
   e.probes = std::move(light.probes);
@@ -162,6 +163,7 @@ Explanation explainPixel(const ExplainInput& in) {
   std::vector<glm::vec3> arrives(in.lights.size(), glm::vec3(1.0f));
   if (in.lighting == ExplainInput::Lighting::Probes) e.shadows = explainShadows(in);
   for (const LightShadow& shadow : e.shadows) arrives[static_cast<std::size_t>(shadow.light)] = shadow.through;
+  for (const MovingMap& map : in.sunMaps) arrives[static_cast<std::size_t>(map.light)] *= sunSeen(in, map.light);
   for (const int light : in.sightLights) arrives[static_cast<std::size_t>(light)] *= lightSeen(in, light);
   e.brdf = splitSum(e.nDotV, s.roughness);
   Scattering scattering{scattered(in, e.f0, e.brdf), glm::vec3(1.0f)};

@@ -66,6 +66,7 @@ DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& 
   const DiffuseLattice& lattice = *probe.lattice;
   const shading::LatticeShape shape = lattice.shape();
   e.lattice = shading::latticeIrradiance(shape, positionProbe, s.normalWorld);
+  e.known = shading::latticeKnown(shape, positionProbe);
   e.nodeCount = lattice.nodes;
   const glm::vec3 place = shading::latticePlace(shape, positionProbe);
   const glm::vec3 first = glm::min(glm::floor(place), shape.last - 1.0f), share = place - first;
@@ -77,6 +78,7 @@ DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& 
     node.node = glm::ivec3(first + step);
     node.positionProbe = lattice.low + (lattice.high - lattice.low) * (first + step) / shape.last;
     node.weight = weights.x * weights.y * weights.z;
+    node.known = lattice.fetchLattice(first + step, DiffuseLattice::kParts - 1).w > 0.5f;
     if (node.weight > 0.0f) e.nodes.push_back(node);
   }
   std::stable_sort(e.nodes.begin(), e.nodes.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });

@@ -90,7 +90,8 @@ float movingShadowAt(const MovingMap& map, const glm::dvec3& positionWorld) {
   };
   float sum = 0.0f;
   for (int i = 0; i < 9; ++i) {
-    const double x = at.x * map.size + i % 3 - 1 - 0.5, y = at.y * map.size + i / 3 - 1 - 0.5;
+    const double x = (at.x + (i % 3 - 1) * map.apart.x) * map.size - 0.5,
+                 y = (at.y + (i / 3 - 1) * map.apart.y) * map.size - 0.5;
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     const auto a = static_cast<float>(x - column), b = static_cast<float>(y - row);
     sum += (1.0f - b) * ((1.0f - a) * lit(column, row) + a * lit(column + 1, row)) +
@@ -119,6 +120,15 @@ float lightSeen(const ExplainInput& in, int light) {
     const auto& sight = in.probes[i].sight;
     const int channel = sight ? sight->channelOfSource(static_cast<std::size_t>(light)) : kSeenByAll;
     seen += shares.probes[i] * seenShare(in.probes[i], in.surface, channel);
+  }
+  return seen;
+}
+
+float sunSeen(const ExplainInput& in, int light) {
+  float seen = 1.0f;
+  for (const MovingMap& map : in.sunMaps) {
+    if (map.light != light) continue;
+    seen *= movingShadowAt(map, in.surface.positionWorld + map.off * glm::dvec3(in.surface.normalWorld));
   }
   return seen;
 }

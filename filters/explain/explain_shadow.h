@@ -17,6 +17,8 @@ std::vector<LightShadow> explainShadows(const ExplainInput& in);
 float seenShare(const ExplainedProbe& probe, const SurfacePoint& surface, int channel);
 /// The same for a light source, weighted by all probes' shares; 1 unless it is among `in.sightLights`.
 float lightSeen(const ExplainInput& in, int light);
+/// Of a sun, by the maps of what stands still before it; 1 without one.
+float sunSeen(const ExplainInput& in, int light);
 
 struct ShadowRay {
   glm::vec3 toLight{0.0f};  ///< unit, world

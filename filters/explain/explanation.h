@@ -102,6 +102,8 @@ struct Explanation {
   glm::vec2 brdf{0.0f};    ///< split-sum factors of F0 and F90
   glm::vec3 direct{0.0f};  ///< light sources, both lobes
   glm::vec3 emissive{0.0f};
+  /// Over pi, of probes, lamps and sky around the normal; empty: the material is all metal, or unlit.
+  std::optional<glm::vec3> irradiance;
   glm::vec3 diffuse{0.0f};         ///< of probes and sky, with albedo
   glm::vec3 sheen{0.0f};           ///< of sheen, from the same irradiance; 0 without sheen
   glm::vec3 specularFactor{0.0f};  ///< of light from probes and sky: split sum, occlusion, the coat's transmittance

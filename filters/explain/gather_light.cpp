@@ -5,6 +5,7 @@
 
 #include "filters/core/base/fixed_text.h"
 #include "filters/core/geometry/probe_shares.h"
+#include "filters/math/shared/openness_math.h"
 
 namespace boxprobe {
 
@@ -107,8 +108,12 @@ GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float
     out.skyWeight = remaining;
     out.skyLevel = shading::levelForRoughness(roughness, map.maxLevel());
     out.skyValue = glm::vec3(map.fetch(reflection, out.skyLevel));
+    const float open = in.openness ? in.openness->at(s.positionWorld, normal) : 1.0f;
+    if (in.openness) {
+      out.skyValue *= shading::reflectedOpenness(open, glm::dot(normal, s.viewWorld), roughness);
+    }
     out.specular += remaining * out.skyValue;
-    out.irradiance += remaining * irradianceAt(normal, in.skyMaps->irradiance);
+    out.irradiance += remaining * open * irradianceAt(normal, in.skyMaps->irradiance);
     ++out.lookups;
     for (const TexelShare& t : map.footprint(reflection, out.skyLevel)) {
       out.brightestTexel = std::max(out.brightestTexel, largestComponent(map.texel(t.level, t.face, t.column, t.row)));

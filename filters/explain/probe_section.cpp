@@ -141,7 +141,8 @@ void addDiffuse(const DiffuseExplanation& d, std::vector<ExplanationRow>& rows) 
   }
   std::string nodes;
   for (const LatticeNodeAtPoint& node : d.nodes) {
-    nodes += (nodes.empty() ? "" : "; ") + place(node.node) + " by " + percent(node.weight);
+    nodes += (nodes.empty() ? "" : "; ") + place(node.node) + " by " + percent(node.weight) +
+             (node.known ? "" : " (within something: filled from its neighbours)");
   }
   rows.push_back(light("E_lattice", d.lattice,
                        "everything else, from a lattice of " + std::to_string(d.nodeCount.x) + " x " +

@@ -90,6 +90,20 @@ Value picture(const Explanation& e) {
   return e.hit ? Value(e.color) : std::nullopt;
 }
 
+Value diffuseLight(const Explanation& e) {
+  return e.hit ? e.irradiance : std::nullopt;
+}
+
+Value nodeValidity(const Explanation& e) {
+  float share = 0.0f, known = 0.0f;
+  for (const ProbeExplanation& p : e.probes) {
+    if (!e.irradiance || p.diffuse.nodes.empty()) continue;
+    share += p.weight;
+    known += p.weight * p.diffuse.known;
+  }
+  return share > 0.0f ? scalar(known / share) : std::nullopt;
+}
+
 struct ViewValue {
   std::string_view id;
   Value (*value)(const Explanation&);
@@ -107,6 +121,8 @@ constexpr ViewValue kValues[] = {
     {"weights", weights},
     {"face", face},
     {"lookups", lookups},
+    {"diffuse-light", diffuseLight},
+    {"node-validity", nodeValidity},
 };
 
 }  // namespace

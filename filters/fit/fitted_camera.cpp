@@ -38,8 +38,8 @@ glm::dvec3 flatteringSide(const glm::dvec3& size) {
 
 /// Rates the view from `eye` by a few rays: it should show front faces everywhere, at many distances, and nothing
 /// close.
-double worthOfView(const TriangleRays& rays, const glm::dvec3& eye, const ViewAxes& axes, double tangent, double aspect,
-                   double unit) {
+double viewScore(const TriangleRays& rays, const glm::dvec3& eye, const ViewAxes& axes, double tangent, double aspect,
+                 double unit) {
   constexpr int kColumns = 9, kRows = 5;
   constexpr double kAll = kColumns * kRows;
   double sum = 0.0, squares = 0.0, close = 0.0;
@@ -106,7 +106,7 @@ Camera roomCamera(const TriangleRays& rays, const std::vector<StandingPoint>& st
     for (int turn = 0; turn < kTurns; ++turn) {
       const glm::dvec3 forward = horizontally(360.0 * turn / kTurns, -4.0);
       const double worth =
-          worthOfView(rays, stand.eyeWorld, axesTowards(forward), tangent, aspect, std::max(stand.height, 1e-12));
+          viewScore(rays, stand.eyeWorld, axesTowards(forward), tangent, aspect, std::max(stand.height, 1e-12));
       if (worth <= best) continue;
       best = worth;
       const std::optional<SurfaceHit> ahead = rays.first(stand.eyeWorld, forward);

@@ -50,10 +50,10 @@ double backFromOutside(const TriangleRays& rays) {
   const double radius = glm::length(rays.bounds().size());
   double hits = 0.0, backs = 0.0;
   int index = 0;
-  for (const glm::dvec3& direction : evenDirections(kOutside)) {
+  for (const glm::dvec3& direction : fibonacciDirections(kOutside)) {
     ++index;
     const glm::dvec3 target =
-        core.min + core.size() * glm::dvec3(evenlySpread(index, 2), evenlySpread(index, 3), evenlySpread(index, 5));
+        core.min + core.size() * glm::dvec3(vanDerCorput(index, 2), vanDerCorput(index, 3), vanDerCorput(index, 5));
     const std::optional<SurfaceHit> hit = rays.first(target + radius * direction, -direction);
     if (!hit) continue;
     hits += 1.0;
@@ -120,10 +120,10 @@ ModelSurvey surveyModel(const TriangleRays& rays) {
     for (int x = 0; x < kAcross; ++x) {
       for (int z = 0; z < kAcross; ++z) {
         ++index;
-        const glm::dvec3 jitter(evenlySpread(index, 2), evenlySpread(index, 3), evenlySpread(index, 5));
+        const glm::dvec3 jitter(vanDerCorput(index, 2), vanDerCorput(index, 3), vanDerCorput(index, 5));
         const glm::dvec3 cell = (glm::dvec3(x, y, z) + 0.15 + 0.7 * jitter) / glm::dvec3(kAcross, kLayers, kAcross);
         survey.points.push_back(
-            surveyed(rays, core.min + cell * size, evenDirections(kSurveyRays, evenlySpread(index, 7))));
+            surveyed(rays, core.min + cell * size, fibonacciDirections(kSurveyRays, vanDerCorput(index, 7))));
       }
     }
   }

@@ -51,7 +51,7 @@ std::vector<Light> openingLights(const TriangleRays& rays, const Probe& probe) {
     glm::dvec3 middle{0.0};
   };
   std::array<Side, 6> sides;
-  for (const glm::dvec3& direction : evenDirections(kRays)) {
+  for (const glm::dvec3& direction : fibonacciDirections(kRays)) {
     // Where, and through which face, the ray leaves the box.
     double leaves = 1e300;
     std::size_t face = 0;

@@ -42,7 +42,7 @@ std::string sentence(const char* format, Values... values) {
 bool amongBacks(const SurfaceRays& rays, const glm::dvec3& position) {
   constexpr int kLooks = 96;
   int backs = 0;
-  for (const glm::dvec3& direction : evenDirections(kLooks)) {
+  for (const glm::dvec3& direction : fibonacciDirections(kLooks)) {
     const std::optional<SurfaceHit> hit = rays.first(position, direction);
     backs += hit && hit->back ? 1 : 0;
   }

@@ -13,7 +13,7 @@ Probe roomProbe(const TriangleRays& rays, const StandingPoint& stand) {
   constexpr double kFacing = 0.7071;
   const glm::dvec3 origin = stand.eyeWorld;
   std::array<std::vector<double>, 6> distances;  // -x, +x, -y, +y, -z, +z
-  for (const glm::dvec3& direction : evenDirections(kRays)) {
+  for (const glm::dvec3& direction : fibonacciDirections(kRays)) {
     const std::optional<SurfaceHit> hit = rays.first(origin, direction);
     if (!hit) continue;
     for (int axis = 0; axis < 3; ++axis) {

@@ -43,7 +43,7 @@ std::optional<double> clearanceAt(const TriangleRays& rays, const glm::dvec3& ey
   constexpr int kRays = 96;
   double nearest = glm::length(rays.bounds().size());
   int backs = 0;
-  for (const glm::dvec3& direction : evenDirections(kRays)) {
+  for (const glm::dvec3& direction : fibonacciDirections(kRays)) {
     const std::optional<SurfaceHit> hit = rays.first(eye, direction);
     backs += hit && hit->back ? 1 : 0;
     if (hit && direction.y > -0.5) nearest = std::min(nearest, hit->distance);

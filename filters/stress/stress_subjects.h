@@ -15,6 +15,9 @@ constexpr double kRoundedBoxSizes = 1.0e-3;      ///< of the hit on a rounded bo
 constexpr double kRoundedMostBoxSizes = 2.0e-4;  ///< the same for 99.99 % of the inputs of a class
 constexpr double kSphereBoxSizes = 1.0e-6;       ///< the same for the sphere, times the cosine between ray and normal
 constexpr double kTermRelative = 1.0e-6;         ///< solid-angle scale, GGX terms, weights
+constexpr double kLampShare = 1.0e-2;            ///< of a lamp in the cosine hemisphere, shares of 1
+constexpr double kLampSideRounding = 1.0e-2;     ///< of the least visible height over a lamp; closer, either is right
+constexpr double kLatticeLight = 1.0e-5;         ///< of nodes whose coefficients are up to 1
 constexpr double kLevelError = 1.0e-3;           ///< levels of the chain: a hundredth of the visible threshold
 
 /// Every projection combined with every evaluation.

@@ -8,6 +8,7 @@
 #include "filters/stress/stress_map.h"
 #include "filters/stress/stress_subjects.h"
 #include "filters/stress/subject_glass.h"
+#include "filters/stress/subject_lamp.h"
 
 namespace boxprobe::stress {
 
@@ -257,6 +258,9 @@ const std::vector<StressSubject>& termSubjects() {
       {"term:lobe-frame", {}, tryFrame, nullptr, 0.0, {}},
       {"term:texel-centre", {}, tryTexelCentre, nullptr, 0.0, {}},
       {"term:glass", {}, tryGlass, nullptr, 0.0, {}},
+      {"term:lamp-diffuse", {}, tryLampDiffuse, nullptr, 0.0, {}},
+      {"term:lamp-glossy", {}, tryLampGlossy, nullptr, 0.0, {}},
+      {"term:lattice", {}, tryLattice, nullptr, 0.0, {}},
       {"term:true-hit", {}, tryTrueHit, nullptr, 0.0, {}},
   };
   return subjects;

@@ -1,11 +1,12 @@
 #include "filters/vtk/scene_renderer.h"
 
+#include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "filters/core/base/at_end.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/core/geometry/probe_diffuse.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/gl/software_driver.h"
@@ -13,10 +14,34 @@
 #include "filters/vtk/inspect/frame_recorder.h"
 #include "filters/vtk/inspect/render_remarks.h"
 #include "filters/vtk/maps/cube_transfer.h"
-#include "filters/vtk/scene/camera_values.h"
 #include "filters/vtk/scene_renderer_parts.h"
 
 namespace boxprobe {
+
+namespace {
+
+// Does not change the clipping distances.
+void setCamera(vtkCamera* to, const Camera& camera) {
+  to->SetPosition(camera.position.x, camera.position.y, camera.position.z);
+  to->SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
+  to->SetViewUp(camera.up.x, camera.up.y, camera.up.z);
+  to->SetViewAngle(camera.verticalFovDegrees);
+  to->SetParallelProjection(camera.parallelHeight > 0.0);
+  if (camera.parallelHeight > 0.0) to->SetParallelScale(0.5 * camera.parallelHeight);
+}
+
+// The name and other values that VTK does not store are defaults.
+Camera cameraValues(vtkCamera* from) {
+  Camera camera;
+  from->GetPosition(&camera.position.x);
+  from->GetFocalPoint(&camera.target.x);
+  from->GetViewUp(&camera.up.x);
+  camera.verticalFovDegrees = from->GetViewAngle();
+  camera.parallelHeight = from->GetParallelProjection() != 0 ? 2.0 * from->GetParallelScale() : 0.0;
+  return camera;
+}
+
+}  // namespace
 
 struct SceneRenderer::Impl : SceneParts {
   using SceneParts::SceneParts;
@@ -67,11 +92,11 @@ void SceneRenderer::setInteractive(bool interactive) {
   impl_->setInteractive(interactive);
 }
 
-void SceneRenderer::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table) {
-  impl_->lightAsVtk(columns, rows, table);
+void SceneRenderer::useVtkLighting(int columns, int rows, const std::vector<glm::vec2>& table) {
+  impl_->useVtkLighting(columns, rows, table);
 }
 
-void SceneRenderer::drawGenerally(bool generally) {
+void SceneRenderer::useGeneralPrograms(bool generally) {
   tune(generally ? TuningParts{0} : TuningParts{kAllTuning});
 }
 
@@ -79,14 +104,14 @@ void SceneRenderer::tune(TuningParts parts) {
   impl_->makeCurrent();
   impl_->probes.tuning().setParts(parts);
   impl_->probes.setTuned(parts != 0);
-  impl_->renderer->SetLeavingOut((parts & kTunedHidden) != 0);
+  impl_->renderer->SetHiddenCulling((parts & kTunedHidden) != 0);
 }
 
-void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& objects, bool sky) {
+void SceneRenderer::disableParts(FrameParts parts, const std::vector<std::size_t>& objects, bool sky) {
   auto& all = impl_->content.objects;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool meant = objects.empty() || std::find(objects.begin(), objects.end(), i) != objects.end();
-    all[i].pass->SetLeftOut(meant ? parts : 0);
+    all[i].pass->SetDisabledParts(meant ? parts : 0);
   }
   impl_->content.sky->SetVisibility(sky ? 0 : 1);
   impl_->ground->SetVisibility((parts & (kGroundPart | kObjectPart)) != 0 ? 0 : 1);
@@ -94,7 +119,7 @@ void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& o
 }
 
 void SceneRenderer::drawHidden(bool hidden) {
-  impl_->renderer->SetLeavingOut(!hidden);
+  impl_->renderer->SetHiddenCulling(!hidden);
 }
 
 void SceneRenderer::keepDepth(bool keep) {
@@ -110,6 +135,11 @@ void SceneRenderer::setEditable(bool editable) {
   impl_->state->resources.latticesBeside = editable;
 }
 
+void SceneRenderer::showCoarseFirst(bool coarse) {
+  impl_->makeCurrent();
+  impl_->probes.setCoarseFirst(coarse);
+}
+
 void SceneRenderer::allowStandIns(bool allowed) {
   impl_->makeCurrent();
   impl_->probes.tuning().allowStandIns(allowed);
@@ -120,7 +150,7 @@ bool SceneRenderer::setMoving(bool moving) {
   return impl_->probes.tuning().setMoving(moving && !impl_->view.any());
 }
 
-void SceneRenderer::foldConstants() {
+void SceneRenderer::specializePrograms() {
   impl_->frames.dropRays();
   impl_->probes.tuning().makeConstants();
 }
@@ -138,9 +168,13 @@ double SceneRenderer::workProgress() const {
   return impl_->probes.progress();
 }
 
+WorkNow SceneRenderer::workNow() const {
+  return impl_->workPending() ? impl_->probes.workNow() : WorkNow{};
+}
+
 bool SceneRenderer::finishWork(const std::function<bool(double)>& progress) {
   impl_->window->MakeCurrent();
-  // Which of many probes are needed is known once a frame has shown what is seen.
+  // If there are many probes, those needed are known after a frame has shown which objects are visible.
   if (impl_->content.many && impl_->probes.followsSeen() && !impl_->renderer->DrawnIsCurrent()) impl_->window->Render();
   while (workPending()) {
     step();
@@ -326,7 +360,7 @@ FrameReport::Lookups SceneRenderer::measureLookups(int width, int height) {
   SurfaceViewSettings settings;
   settings.view = *findSurfaceView("lookups");
   setView(settings);
-  const AtEnd shownAgain([&] { setView(kept); });
+  const ScopeExit shownAgain([&] { setView(kept); });
   return lookupsOf(renderLinear(width, height, 1));
 }
 

@@ -5,9 +5,10 @@
 #include <vtkOpenGLState.h>
 
 #include <algorithm>
+#include <chrono>
 
-#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/draw/static_textures.h"
@@ -28,7 +29,7 @@ std::string lampsKey(const SceneLamps& lamps) {
   return hash.text();
 }
 
-// Of a texel of a planar mirror's picture, where it is drawn for as many pixels as the screen has.
+// Samples per texel of a planar mirror's picture that is drawn at screen resolution.
 constexpr int kMirrorSamples = 4;
 
 }  // namespace
@@ -41,7 +42,8 @@ SceneParts::SceneParts(vtkOpenGLRenderWindow* shownIn)
       frames(window, renderer, state, &content),
       mirrors(window, state, &content),
       sphere(window, renderer, state),
-      shadows(window, state, &content) {
+      shadows(window, state, &content),
+      suns(window, state, &content) {
   state->shown = renderer;
   probes.baker().setWindow(window);
   content.sky->SetDrawState(state);
@@ -75,6 +77,7 @@ void SceneParts::makeCurrent() {
 
 void SceneParts::prepareDraws() {
   makeStaticTextures(window, state->resources, state->counts);
+  suns.update();
   shadows.update();
   content.resetClippingRange(renderer);
 }
@@ -95,7 +98,8 @@ void SceneParts::beginFrame() {
     state->resources.sky->need(LevelMask{1} << vtkSkyProp::BlurredLevel(*state->resources.sky));
   }
   try {
-    ground->SetShadow(view.any() ? nullptr : groundWork.shadow(std::chrono::milliseconds(0)));
+    ground->SetShadow(view.any() ? nullptr : groundWork.known());
+    takeOpenness(std::chrono::milliseconds(0));
   } catch (const Error& failure) {
     state->counts.fail(failure.what());
   }
@@ -122,9 +126,9 @@ void SceneParts::beginFrame() {
 void SceneParts::endFrame() {
   ++state->counts.counters.renders;
   mirrors.hide();
-  const bool culls = renderer->GetPass() == nullptr;  // a pass draws what it is given
-  state->counts.counters.drawsLeftOut = culls ? renderer->GetLeftOut() : 0;
-  state->counts.counters.skyLeftOut = culls && renderer->GetBackdropLeftOut();
+  const bool culls = renderer->GetPass() == nullptr;  // a pass draws all props it gets
+  state->counts.counters.drawsCulled = culls ? renderer->GetCulledCount() : 0;
+  state->counts.counters.skyCulled = culls && renderer->GetBackdropCulled();
   if (state->tuning != nullptr) state->tuning->frameEnded(window);
   if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
   seen = renderer->GetDrawnGeneration();
@@ -142,7 +146,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
     state->resources.tone = scene.tone;
   }
   const bool anyProbe = changes.probeList || changes.probeShape;
-  // Not while a box is dragged: cutting makes geometry again. Other models than before are shown all the same.
+  // Not while a box is dragged, because dividing objects creates geometry. New models are always shown.
   const bool anew = changes.models && givenAnew;
   if (anew) givenAnew = false;
   const bool divided = (anew || ((changes.models || anyProbe) && !interactive)) && content.divideModels();
@@ -153,7 +157,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
     state->counts.error.clear();
     content.rebuildObjects(renderer, state);
     renderer->RemoveViewProp(ground);
-    renderer->AddViewProp(ground);  // over the sky, below glass
+    renderer->AddViewProp(ground);  // above the sky, below glass
     inspector.forgetObjects();
     mirrors.forgetObjects();
   }
@@ -162,21 +166,17 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
     content.showObjects(renderer);
     renderer->ForgetHidden();
   }
-  // Of many objects none has been seen yet: the first frame will tell.
+  // If there are many objects, none is known to be visible before the first frame.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
   const bool otherLamps = (objects || changes.lights || anyProbe || changes.probeCapture) && content.findLamps();
   state->resources.lamps = content.lamps;
   if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
-  content.sky->SetBackground(scene.background);
-  if (scene.groundShadow && content.sightLines && !content.objects.empty()) {
-    if (objects || changes.exposure)
-      groundWork.ask(hidingKey(), scene, content.given, content.sightLines, content.bounds());
-  } else {
-    groundWork.forget();
-  }
+  content.sky->SetBackground(scene.background, scene.backgroundColor);
+  askTraced(objects || changes.exposure || changes.lights);
   if (lit) {
     shadows.sceneChanged();
+    suns.sceneChanged();
     probes.updateShapes();
     probes.binder().assign();
   }
@@ -186,7 +186,42 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (lit || changes.sky || changes.exposure) frames.sceneChanged();
 }
 
-// Anything that stands still may throw a lamp's shadow into a capture, whether the capture shows it or not.
+void SceneParts::askTraced(bool changed) {
+  const Scene& scene = content.scene;
+  const bool anything = content.sightLines && !content.objects.empty();
+  if (!scene.groundShadow || !anything) groundWork.forget();
+  if (!scene.ambientOcclusion || !anything) {
+    opennessWork.forget();
+    state->resources.openness = nullptr;
+  }
+  if (!changed || !anything || (!scene.groundShadow && !scene.ambientOcclusion)) return;
+  const std::string key = hidingKey();
+  const auto lines = [scene, models = content.given, maker = content.sightLines] { return maker(scene, models); };
+  const Box bounds = content.bounds();
+  if (scene.groundShadow) {
+    groundWork.ask(key, [lines, bounds](const auto& stop) {
+      const auto through = lines();
+      return through ? tracedGroundShadow(*through, bounds, stop) : GroundShadow{};
+    });
+  }
+  if (scene.ambientOcclusion) {
+    opennessWork.ask(key, [lines, bounds](const auto& stop) {
+      const auto through = lines();
+      return through ? tracedSkyOpenness(*through, bounds, stop) : SkyOpenness{};
+    });
+  }
+}
+
+void SceneParts::takeOpenness(std::chrono::milliseconds wait) {
+  auto known = opennessWork.known(wait);
+  if (known && known->empty()) known = nullptr;
+  if (known == state->resources.openness) return;
+  if (known) state->counts.counters.opennessRays += known->rays;
+  state->resources.openness = std::move(known);
+  frames.sceneChanged();
+}
+
+// Any static object may cast a lamp's shadow into a capture, whether or not the capture shows it.
 std::string SceneParts::hidingKey() {
   const bool same = hidingModels.size() == content.given.size() &&
                     std::equal(content.given.begin(), content.given.end(), hidingModels.begin(),
@@ -207,13 +242,13 @@ std::string SceneParts::hidingKey() {
     hash.add(node).add(object.visible ? 1 : 0).add(object.dynamic ? 1 : 0);
     if (!object.dynamic) hash.addVector(object.translation).addVector(object.rotationDegrees);
   }
-  for (const auto& [name, material] : content.scene.materials) {  // a lampshade hides no light source within it
+  for (const auto& [name, material] : content.scene.materials) {  // a lampshade does not hide a light source inside it
     if (material.emissive) hash.add(name).add(*material.emissive != glm::vec3(0.0f) ? 1 : 0);
   }
   return hash.text();
 }
 
-// What captures of the scene show now.
+// Tells the probes what captures of the scene show now.
 void SceneParts::updateCaptures() {
   if (contentKeysOf != content.modelGeneration) {
     contentKeys = objectContentKeys(content.models, content.scene.models.size());
@@ -240,17 +275,19 @@ void SceneParts::updateCaptures() {
     inputs.props.emplace_back(drawn.actor);
   }
   inputs.world = captureWorld(content.scene, objects, skyPixels, probes.plan().entries().places());
-  // Lamps drawn as shapes light what a capture shows, those that it does not show included.
+  // Lamps drawn as shapes light what a capture shows, even if it does not show them.
   inputs.world.lattices = content.lamps != nullptr;
   if (content.lamps && !content.lamps->lamps.empty()) inputs.world.lights += " " + lampsKey(*content.lamps);
-  if (content.lamps && content.sightLines) inputs.world.lights += " shadowed " + hidingKey();
+  if (content.lamps && content.sightLines) inputs.world.lights += " traced " + hidingKey();
+  if (content.lamps && content.sightLines) inputs.world.latticeSky = inputs.world.sky;
+  if (!state->resources.sunShadows.empty()) inputs.world.lights += " suns";
   inputs.sky = inputs.world.sky;
   if (content.skyImage) inputs.skyColumns = content.skyImage->width;
   probes.plan().sources().skyLevels = content.skyImage ? skyLevelsFile(content.skyImageFile()) : std::string();
   probes.updateCaptures(std::move(inputs));
 }
 
-void SceneParts::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table) {
+void SceneParts::useVtkLighting(int columns, int rows, const std::vector<glm::vec2>& table) {
   window->MakeCurrent();
   makeStaticTextures(window, state->resources, state->counts);
   uploadSplitSumTable(window, state->resources.brdfTable, columns, rows, table);
@@ -265,6 +302,7 @@ void SceneParts::setProbesEnabled(bool enabled) {
   if (otherLamps) {
     state->resources.lamps = content.lamps;
     content.rebuildLights(renderer);
+    suns.sceneChanged();
     probes.updateShapes();
     updateCaptures();
   }
@@ -284,18 +322,20 @@ void SceneParts::setInteractive(bool active) {
 }
 
 void SceneParts::step() {
+  constexpr std::chrono::milliseconds kTurn(20);
   frames.dropRays();
   makeStaticTextures(window, state->resources, state->counts);
   try {
     if (!probes.workPending()) {
-      groundWork.shadow(std::chrono::milliseconds(20));
+      (groundWork.pending() ? void(groundWork.known(kTurn)) : takeOpenness(kTurn));
       return;
     }
+    suns.update();  // captures have them, too
     probes.step();
   } catch (const WorkError& error) {
-    // Not thrown on: a window goes on without what could not be made, and says so.
+    // Not rethrown: a window continues without what could not be made, and reports it.
     state->counts.fail(error.what());
-    probes.giveUp();
+    probes.cancelWork();
   }
 }
 
@@ -303,7 +343,7 @@ std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixe
   window->MakeCurrent();
   frames.dropRays();
   prepareDraws();
-  const AtEnd hidden([this] { mirrors.hide(); });
+  const ScopeExit hidden([this] { mirrors.hide(); });
   drawMirrors(static_cast<double>(width) / height, width, height, kMirrorSamples);
   mirrors.readBack();
   return inspector.explain(renderer->GetActiveCamera(), width, height, pixels);
@@ -319,7 +359,7 @@ ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel,
   std::vector<vtkProp*> props = content.shownProps(renderer);
   // The sky has no value in the debug view: it stays transparent.
   if (!view.any()) props.push_back(content.sky);
-  const AtEnd released([this] {
+  const ScopeExit released([this] {
     mirrors.hide();
     frames.dropRays();
     frames.releaseLinear();
@@ -354,12 +394,14 @@ void SceneParts::releaseGraphics() {
   frames.release();
   mirrors.release();
   shadows.release();
+  suns.release();
   sphere.release();
   ground->ReleaseGraphicsResources(window);
   probes.release();
   inspector.release();
   state->resources.lattices->release();
   state->resources.sights->release();
+  state->resources.opennessTexture->release();
   releaseStaticTextures(state->resources);
   for (const DrawnObject& object : content.objects) {
     for (const SurfaceSlot& slot : object.surface->slots) {

@@ -1,4 +1,4 @@
-// One frame into the sum of frames: the host blends by addition.
+// Adds one frame to the sum of frames, with the host's additive blending.
 uniform sampler2D bpColor;
 
 void main()

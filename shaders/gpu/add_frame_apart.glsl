@@ -1,4 +1,4 @@
-// As add_frame.glsl, for frames that keep the sampled reflection apart (reflection_apart.glsl).
+// As add_frame.glsl, for frames with a separate sampled reflection (reflection_apart.glsl).
 uniform sampler2D bpColor;
 uniform sampler2D bpReflection;
 

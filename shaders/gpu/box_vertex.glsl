@@ -1,4 +1,4 @@
-// A box for an occlusion query, its corners by number: 12 triangles, no buffer.
+// A box for an occlusion query, from vertex numbers: 12 triangles without a buffer.
 uniform mat4 bpClipFromEye;  // of points relative to the eye, world axes
 uniform vec3 bpLow;
 uniform vec3 bpHigh;

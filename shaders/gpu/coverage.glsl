@@ -1,10 +1,11 @@
-// What stands between a surface and a light outside of a probe's box: the probe's coverage where the way to the light leaves the
-// box, for what does not move, and a shadow map for what does. Spliced in by filters/vtk/surface/probe_source.cpp after
-// gpu/probe_lighting.glsl, only for draws with such a light, with gpu/coverage_slot.glsl before it for each slot. Needs shared/coverage.glsl.
+// The transmittance from a light outside a probe's box to a surface: for static objects the probe's coverage where the
+// way to the light leaves the box, for moving objects a shadow map. Spliced in by filters/vtk/surface/probe_source.cpp
+// after gpu/probe_lighting.glsl, only for draws with such a light, with gpu/coverage_slot.glsl before it for each slot.
+// Needs shared/coverage.glsl.
 uniform vec4 bpShadowLight[BP_SHADOW_LIGHTS];  // tangent of half the angle; radius, scene units; levels per unit, 0: the probe's own, negative: by size
-uniform int bpShadowMask[BP_SLOTS];            // bit of a light: it lies outside of the probe's box
+uniform int bpShadowMask[BP_SLOTS];  // bit of a light: it is outside the probe's box
 
-float bpUncovered;  // share of the pixel that no probe has; it is not shadowed
+float bpUncovered;  // share of the pixel without a probe, which is not shadowed
 
 void bpFindCovers(vec3 positionView)
 {

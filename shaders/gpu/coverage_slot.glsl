@@ -1,6 +1,6 @@
 uniform samplerCube bpThroughMap@SLOT@;
 uniform float bpThroughFaceSize@SLOT@;
-uniform float bpThroughPerUnit@SLOT@;  // levels per unit where the light does not say
+uniform float bpThroughPerUnit@SLOT@;  // levels per unit unless the light sets it
 
 vec3 bpThroughSlot@SLOT@(vec3 position, vec3 toLight, float tangent, float perUnit)
 {

@@ -1,4 +1,4 @@
-// Positions alone, for a depth map.
+// Positions only, for a depth map.
 in vec3 bpPosition;
 uniform mat4 bpClipFromModel;
 

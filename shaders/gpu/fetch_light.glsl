@@ -1,4 +1,4 @@
-// The GPU's side of what shared/light_sampling.glsl asks of a probe. BP_LIGHT: a technique of the draw does.
+// The functions that shared/light_sampling.glsl needs, on the GPU. BP_LIGHT: a technique of the draw uses them.
 #if BP_ROTATED
 vec3 mapFromProbe(ProbeShape probe, vec3 direction) { return bpMapFromProbe[probe.slot] * direction; }
 vec3 probeFromMap(ProbeShape probe, vec3 direction) { return transpose(bpMapFromProbe[probe.slot]) * direction; }
@@ -8,7 +8,7 @@ vec3 probeFromMap(ProbeShape probe, vec3 direction) { return direction; }
 #endif
 #if BP_LIGHT
 uniform int bpLightSize[BP_SLOTS];  // cells along a face; 0: no table
-uniform sampler2D bpLight0;         // a row of cells a row
+uniform sampler2D bpLight0;  // one row of cells per row
 #if BP_SLOTS > 1
 uniform sampler2D bpLight1;
 #endif

@@ -1,4 +1,4 @@
-// The GPU's side of `fetchProbe`: direction in the probe's frame, level of its prefiltered chain.
+// `fetchProbe` on the GPU: direction in the probe's frame, level of its prefiltered chain.
 vec4 fetchProbe(PROBE_MAP map, ProbeShape probe, vec3 direction, float level)
 {
 #if BP_DEBUG

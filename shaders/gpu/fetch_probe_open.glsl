@@ -1,7 +1,7 @@
-// The GPU's side of `fetchProbe` where the sky shows through: what gpu/fetch_probe.glsl gives, and for what it does not cover the
-// sky, uncorrected, along the way from the surface to where the lookup meets the box, as narrow as the lookup is from there.
-// Techniques of several lookups tell by their directions which part of their lobe the openings take; gpu/open_sky.glsl, one sky
-// for the whole lobe, cannot. Set by the slot before it evaluates:
+// `fetchProbe` on the GPU for probes through which the sky shows: the value of gpu/fetch_probe.glsl and, where it has
+// no coverage, the sky along the way from the surface to the lookup's hit on the box, with the lobe's width there. It
+// is not box-projected. Techniques with several lookups find by their directions which part of the lobe the openings
+// take; gpu/open_sky.glsl, one sky for the whole lobe, cannot. Set by the slot before it evaluates:
 vec3 bpOpenFrom;           // P - C, probe frame
 float bpOpenAlpha;         // of the surface
 bool bpOpenHere = false;

@@ -1,6 +1,6 @@
-// The GPU's side of what projection `impostor` asks of a probe: its relief (filters/math/cube/relief.h), nearest texel and level, and
-// blocks. GLSL has no arrays of samplers to choose from, so the slot is chosen by comparisons, which the compiler decides: it is a constant.
-// Needs shared/relief.glsl.
+// The functions that projection `impostor` needs, on the GPU: a probe's relief (filters/math/cube/relief.h), nearest
+// texel and level, and its blocks. GLSL cannot index samplers dynamically, so the slot is selected by comparisons,
+// which the compiler resolves because it is a constant. Needs shared/relief.glsl.
 #define BP_MOST_BLOCKS 8
 uniform int bpBlockCount[BP_SLOTS];
 uniform vec3 bpBlockLow[BP_MOST_BLOCKS * BP_SLOTS];   // probe frame

@@ -1,5 +1,5 @@
-// The GPU's side of the split-sum table: see shared/split_sum.glsl, which stands before this. BP_VTK_TABLE: the table is VTK's own, for
-// comparisons with it.
+// The split-sum table on the GPU; follows shared/split_sum.glsl. BP_VTK_TABLE: the table is VTK's own, for comparisons
+// with it.
 uniform sampler2D bpBrdf;
 
 vec2 bpSplitSum(float cosine, float roughness)
@@ -11,7 +11,7 @@ vec2 bpSplitSum(float cosine, float roughness)
 #endif
 }
 
-// The surface's own, which may be known to be perfectly smooth.
+// For the surface itself, which may be known to be perfectly smooth.
 vec2 bpSurfaceSum(float cosine, float roughness)
 {
 #if defined(BP_SMOOTH) && !defined(BP_VTK_TABLE)
@@ -21,7 +21,7 @@ vec2 bpSurfaceSum(float cosine, float roughness)
 #endif
 }
 
-// The name that techniques know it by.
+// The name that techniques use.
 vec2 splitSumAt(float cosine, float roughness)
 {
   return bpSplitSum(cosine, roughness);

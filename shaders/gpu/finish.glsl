@@ -1,6 +1,6 @@
-// What few materials have on top of metalness and roughness, at a fragment: a tinted reflection, cloth's sheen, a brushed direction, a
-// thin film. Spliced in by filters/vtk/surface/finish_source.cpp, which defines BP_FINISH and, for what the material has, BP_TINTED,
-// BP_SHEEN, BP_ANISOTROPIC, BP_FILM; after gpu/material.glsl, with shared/sheen.glsl and the like before it.
+// Material properties beyond metalness and roughness, at a fragment: a tinted reflection, sheen, anisotropy, a thin
+// film. Spliced in by filters/vtk/surface/finish_source.cpp, which defines BP_FINISH and, depending on the material,
+// BP_TINTED, BP_SHEEN, BP_ANISOTROPIC, BP_FILM; after gpu/material.glsl, with shared/sheen.glsl and the like before it.
 #ifdef BP_TINTED
 uniform vec3 bpSpecularTint;
 uniform float bpSpecularEdge;
@@ -19,10 +19,10 @@ uniform vec4 bpFilm;        // share, index, least and greatest thickness in nan
 struct BpFinish
 {
   vec3 f0;           // of the non-metal
-  float edge;        // what it reflects at a flat angle; BP_TINTED only
+  float edge;  // its reflectance at grazing angles; BP_TINTED only
   vec3 sheenColor;
   float sheenRoughness;
-  float under;       // share of the light that the sheen leaves to the base
+  float under;  // fraction of light that passes the sheen
   vec3 across;       // view space, unit
   float anisotropy;
   float film;        // share
@@ -54,7 +54,7 @@ BpFinish bpFinishAt(vec3 normal, float nDotV)
   vec3 along = bpTangentF.xyz - dot(bpTangentF.xyz, normal) * normal;
   float size = length(along);
   vec3 tangent = size > 0.0f ? along / size : vec3(0.0f);
-  // The back of a double-sided surface has the whole frame turned round.
+  // The frame of a double-sided surface is reversed on its back.
   vec3 bitangent = cross(normal, tangent) * (bpTangentF.w < 0.0f != gl_FrontFacing ? 1.0f : -1.0f);
   vec2 direction = bpAnisotropy.xy;
   finish.anisotropy = size > 0.0f ? bpAnisotropy.z : 0.0f;
@@ -75,7 +75,7 @@ BpFinish bpFinishAt(vec3 normal, float nDotV)
   return finish;
 }
 
-// Reflectance straight on, metal or not.
+// Reflectance at normal incidence, metal or not.
 vec3 bpFinishF0(BpFinish finish, vec3 albedo, float metallic, float nDotV)
 {
   vec3 f0 = mix(finish.f0, albedo, metallic);
@@ -86,7 +86,7 @@ vec3 bpFinishF0(BpFinish finish, vec3 albedo, float metallic, float nDotV)
   return f0;
 }
 
-// What a non-metal reflects at a flat angle. `f0` without the film.
+// Reflectance of a non-metal at grazing angles. `f0` without the film.
 float bpFinishEdge(BpFinish finish, vec3 albedo, float metallic)
 {
 #ifdef BP_TINTED
@@ -97,7 +97,7 @@ float bpFinishEdge(BpFinish finish, vec3 albedo, float metallic)
 }
 
 #ifdef BP_ANISOTROPIC
-// In the place of VTK's lobe of a lamp; `F` comes back as there.
+// Replaces VTK's lobe of a lamp; `F` is returned as there.
 vec3 bpBrushedLobe(BpFinish finish, vec3 N, vec3 V, vec3 L, vec3 H, float hDotL, float roughness, vec3 F0, vec3 F90, out vec3 F)
 {
   vec3 along = cross(finish.across, N);

@@ -1,18 +1,17 @@
-// Glass on the graphics side: what shared/refraction.glsl finds is looked up in what the frame shows behind (gpu/glass_behind.glsl), and
-// where that shows nothing as reflections are, in the object's probes and the sky.
-// Spliced in by filters/vtk/surface/material_source.cpp for materials that transmit light, after gpu/probe_lighting.glsl; it defines
-//   BP_GLASS_FORM   1 to 3, as GlassObject::form
-//   BP_GLASS_SHEET  true or false
-// and the type GLASS_SHELL. Positions are relative to the eye, along the world's axes.
+// Glass on the GPU: the ray found by shared/refraction.glsl is sampled from the frame behind the glass
+// (gpu/glass_behind.glsl) and, where that shows nothing, like reflections from the object's probes and the sky. Spliced
+// in by filters/vtk/surface/material_source.cpp for materials that transmit light, after gpu/probe_lighting.glsl. It
+// defines BP_GLASS_FORM (1 to 3, as GlassObject::form), BP_GLASS_SHEET (true or false) and the type GLASS_SHELL.
+// Positions are relative to the eye, along the world's axes.
 uniform float bpGlassIor;
 uniform float bpGlassTransmission;
 uniform float bpGlassThickness;
 uniform vec3 bpGlassCenter;
 uniform float bpGlassRadius;
 uniform vec3 bpGlassColor;       // of white light after bpGlassReach
-uniform float bpGlassReach;      // 0: nothing is absorbed
-uniform float bpGlassStraight;   // deviation from which on what is drawn behind no longer stands in for what is looked up
-uniform float bpGlassBehind;     // share of what is drawn behind in what a front face shows: two passes blended
+uniform float bpGlassReach;  // 0: no absorption
+uniform float bpGlassStraight;  // deviation from which on the frame behind no longer replaces the lookup
+uniform float bpGlassBehind;  // share of the frame behind in front faces: two passes blended
 
 #if BP_GLASS_FORM == 3 && !BP_GLASS_SHEET
 uniform samplerCube bpGlassShell;
@@ -26,9 +25,9 @@ struct BpGlass
   vec3 view;
   float roughness;
   float deviation;
-  vec3 transmittance;  // of what is looked through
+  vec3 transmittance;  // of the transmitted light
   vec3 mirrorTransmittance;
-  vec3 looked;         // up, along the refracted ray
+  vec3 looked;  // sampled light along the refracted ray
 };
 
 BpGlass bpLookThrough(vec3 positionView, vec3 normalView, vec3 viewView, float roughness)
@@ -75,7 +74,7 @@ BpGlass bpLookThrough(vec3 positionView, vec3 normalView, vec3 viewView, float r
   return glass;
 }
 
-// The lobe beyond is round about its ray, as one of a surface that faces along it would be.
+// The refracted lobe is symmetric around its ray, like that of a surface facing along it.
 vec3 bpLookUpThrough(BpGlass glass)
 {
   mat3 viewFromWorld = transpose(bpViewToWorld);
@@ -86,20 +85,20 @@ vec3 bpLookUpThrough(BpGlass glass)
   return behind.rgb + (1.0f - behind.w) * bpGatherLight(position, direction, direction, sqrt(glass.seen.through.alpha), 1.0f, 1.0f).specular;
 }
 
-// Factor of the reflection. What a rough surface's facets lose between them (A + B of the split sum fall short of 1) passes, but
-// where all is reflected there is nowhere else for it to go.
+// Factor of the reflection. The energy that a rough surface's facets lose (A + B of the split sum is below 1) is
+// transmitted; but under total reflection all of it is reflected.
 float bpGlassReflected(BpGlass glass, vec2 brdf)
 {
   return glass.seen.reflectance >= 1.0f ? 1.0f : glass.seen.reflectance * (brdf.x + brdf.y);
 }
 
-// Share of the light behind that passes, by colour: what the surface reflects is gone.
+// Transmittance for light from behind, by colour: what the surface does not reflect.
 vec3 bpGlassPassed(BpGlass glass, vec3 reflected, vec3 albedo, float metallic)
 {
   return bpGlassTransmission BP_TRANSMISSION_FACTOR * (1.0f - metallic) * (1.0f - reflected) * albedo * glass.transmittance;
 }
 
-// Of it, what is drawn behind already shows better than any cubemap.
+// The part of it for which the frame behind is sharper than any cubemap.
 float bpGlassStands(BpGlass glass, vec3 passed)
 {
   float bent = clamp(glass.deviation / bpGlassStraight, 0.0f, 1.0f);

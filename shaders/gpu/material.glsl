@@ -1,10 +1,11 @@
-// What a material's textures and vertices give at a fragment, where glTF wants more than VTK 9.1's own texture code does:
-// two sets of coordinates, transforms, factors without textures, alpha modes, clear-coat textures. BP_HAS_... and the
-// sampling functions bpSample...() stand before this, written by filters/vtk/surface/material_source.cpp for the textures there are.
+// The values of a material's textures and vertices at a fragment, for features of glTF that VTK 9.1's texture code
+// lacks: two sets of coordinates, transforms, factors without textures, alpha modes, clear-coat textures. BP_HAS_...
+// and the sampling functions bpSample...() precede this, written by filters/vtk/surface/material_source.cpp for the
+// existing textures.
 uniform float bpAlpha;       // the base colour's factor
 uniform float bpAlphaCutoff;
 
-// Normal map `texel` in the frame of the normal `n`, which looks along the front: glTF 2.0, section 3.9.3.
+// Applies normal map `texel` in the frame of the normal `n`, which points to the front: glTF 2.0, section 3.9.3.
 #if BP_TANGENT
 vec3 bpMappedNormal(vec3 n, vec3 texel, float scale)
 {

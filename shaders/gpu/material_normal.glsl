@@ -1,5 +1,5 @@
-// Normal maps; lies within VTK's main(), after it has the vertex normal turned towards the eye. The back of a double-sided
-// surface has the whole frame turned round, so that what is a dent from one side is a bump from the other.
+// Normal maps; part of VTK's main(), after the vertex normal was turned towards the eye. On the back of a double-sided
+// surface the frame is reversed, so that a dent on one side is a bump on the other.
 #if BP_TANGENT
   float bpSide = gl_FrontFacing ? 1.0f : -1.0f;
 #if defined(CLEAR_COAT) && defined(BP_HAS_CoatNormal)

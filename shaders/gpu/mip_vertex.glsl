@@ -1,5 +1,5 @@
-// A quad that covers the viewport, as a fan; texCoord runs from 0 to 1 across it. Not the one triangle of full_screen_vertex: with
-// these corners Mesa's coordinates, and so its texels, are those of its own mip levels.
+// A quad that covers the viewport, as a fan; texCoord runs from 0 to 1 across it. Unlike the single triangle of
+// full_screen_vertex, its corners give the same coordinates, and so texels, as Mesa's own mip levels.
 out vec2 texCoord;
 
 void main()

@@ -1,7 +1,7 @@
-// The GPU's side of a planar mirror's picture: shared/mirror_types.glsl stands before it, shared/planar_mirror.glsl after.
+// Samples a planar mirror's picture; follows shared/mirror_types.glsl, and precedes shared/planar_mirror.glsl.
 uniform sampler2D bpMirrorColor;
 uniform sampler2D bpMirrorHeight;
-uniform float bpMirrorOn;      // 0: no picture was drawn for what is shown now
+uniform float bpMirrorOn;  // 0: there is no picture for this draw
 uniform vec4 bpMirrorPlaces[3];
 uniform vec4 bpMirrorNormal;   // w: farHeight
 uniform vec4 bpMirrorEye;      // w: texelSize

@@ -1,4 +1,4 @@
-// Where depth alone counts: a shadow map, or whether anything passes the depth test.
+// For depth-only draws: a shadow map, or an occlusion query.
 void main()
 {
   gl_FragData[0] = vec4(0.0f);

@@ -1,7 +1,7 @@
-// One face of one prefiltered level: a lobe around each texel's direction over the captured radiance. The lookups are the
-// same for every texel, so the host computes them once a level (filters/math/sampling/filter_lobe.h); filters/math/cube/cube_filter.cpp
-// is this file's twin on the CPU. Needs shared/cube.glsl, shared/lobe_frame.glsl, shared/edge_fixup.glsl,
-// gpu/nearest_half.glsl; with BP_FLAT_SOURCE gpu/flat_lookup.glsl.
+// One face of one prefiltered level: filters the captured radiance with a lobe around each texel's direction. The
+// samples are the same for all texels, so the host computes them once per level (filters/math/sampling/filter_lobe.h);
+// filters/math/cube/cube_filter.cpp is the CPU version of this file. Needs shared/cube.glsl, shared/lobe_frame.glsl,
+// shared/edge_fixup.glsl, gpu/nearest_half.glsl; with BP_FLAT_SOURCE gpu/flat_lookup.glsl.
 #ifdef BP_FLAT_SOURCE
 uniform sampler2D bpSource;
 uniform float bpSourceSize; // texels of its level 0
@@ -15,7 +15,7 @@ uniform float bpFaceSize; // texels of the level written
 uniform float bpFixupWidth; // texels
 #endif
 uniform int bpTapCount;
-uniform vec4 bpTaps[768]; // xy: direction in the lobe's frame; z: level of the source; w: weight, all sum to 1
+uniform vec4 bpTaps[768];  // xy: direction in the lobe's frame; z: level of the source; w: weight; weights sum to 1
 
 vec4 lobeMean(vec3 n)
 {

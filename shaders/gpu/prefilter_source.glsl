@@ -1,6 +1,5 @@
-// One face of one level of the source's mip chain, from the level before it, which is the only one that the texture gives
-// while this runs. Needs shared/cube.glsl, shared/source_level.glsl,
-// gpu/nearest_half.glsl.
+// One face of one level of the source's mip chain, from the previous level, the only one the texture exposes during
+// this pass. Needs shared/cube.glsl, shared/source_level.glsl, gpu/nearest_half.glsl.
 uniform samplerCube bpSource;
 uniform int bpFace;
 uniform float bpFaceSize; // texels of the level written

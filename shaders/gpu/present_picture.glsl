@@ -1,10 +1,10 @@
-// The mean of the frames onto the screen, with the depth of what it shows, so that whatever is drawn over it can be hidden
-// by it. Needs output_uniforms.glsl and output.glsl.
+// Draws the averaged frames to the screen with their depth, so that what is drawn on top can be hidden. Needs
+// output_uniforms.glsl and output.glsl.
 uniform sampler2D bpColor;
 uniform sampler2D bpDepth;
 uniform float bpScale;    // 1 / frames, times their share of the picture
 uniform sampler2D bpBefore;    // the picture that these frames replace
-uniform float bpBeforeScale;   // the same of that; 0: there is none
+uniform float bpBeforeScale;  // the same for that picture; 0: there is none
 uniform int bpFiner;      // texels along each side of a pixel
 
 void main()

@@ -17,6 +17,7 @@
 //   BP_LAMP_SHAPES 1 if, with that, it is of lamps drawn as shapes
 //   BP_LAMP_LOBES 1 if reflections of some of them show lamps by their shapes
 //   BP_SIGHTS    1 if some of their lamps or light sources are hidden from some places (gpu/sight.glsl)
+//   BP_OPENNESS  1 if what stands in the scene hides some of the sky (gpu/sky_openness.glsl)
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -109,6 +110,8 @@ struct BpLight
 
 //BP::Lamps
 
+//BP::Openness
+
 BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness, float fresnel,
                       float f0)
 {
@@ -159,7 +162,14 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
     bpLookups += 1.0f;
     bpWeightColor += bpCoat ? vec3(0.0f) : sky * bpSkyColor;
 #endif
+#if BP_OPENNESS
+    float open = bpOpenness(position, BP_FACING);
+    light.specular += sky * reflectedOpenness(open, dot(normal, view), roughness) *
+                      BP_SKY_LOOKUP(reflection, levelForRoughness(roughness, bpSkyMaxLevel)).rgb;
+    sky *= open;
+#else
     light.specular += sky * BP_SKY_LOOKUP(reflection, levelForRoughness(roughness, bpSkyMaxLevel)).rgb;
+#endif
 #if BP_DIFFUSE
     light.irradiance += sky * shIrradiance(BP_FACING, bpSkySh[0], bpSkySh[1], bpSkySh[2], bpSkySh[3], bpSkySh[4],
                                            bpSkySh[5], bpSkySh[6], bpSkySh[7], bpSkySh[8]);
@@ -185,6 +195,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   }
 #endif
 #if BP_DEBUG
+#if BP_DIFFUSE
+  if (!bpCoat) { bpDiffuseLight = light.irradiance; }
+#endif
   bpCoat = true;  // the next call, if there is one, is for the clear coat
 #endif
   return light;

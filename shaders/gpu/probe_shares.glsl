@@ -1,10 +1,10 @@
-// How the pixel is divided between the draw's probes and the sky: spliced in by filters/vtk/surface/probe_source.cpp, once for
-// reflections and shadows alike. Needs shared/weights.glsl.
+// The shares of the draw's probes and the sky in the pixel: spliced in by filters/vtk/surface/probe_source.cpp, once
+// for both reflections and shadows. Needs shared/weights.glsl.
 #if BP_SLOTS > 0
 float bpShareOf[BP_SLOTS];  // before intensity; set by bpShareOut
 #endif
 
-// `position`: relative to the eye, world axes. Returns what is left for the sky.
+// `position`: relative to the eye, world axes. Returns the sky's share.
 float bpShareOut(vec3 position)
 {
 #if BP_SLOTS == 0

@@ -35,7 +35,7 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
 #endif
 @SPECULAR@#if @OCCLUDED@
 #if BP_DEBUG
-  float evaluated = bpLookups;  // the same hit once more, which the compiler has already
+  float evaluated = bpLookups;  // the same hit again, which the compiler reuses
 #endif
   specular *= boxOcclusion(projectRay(probe, point.position, point.normal, point.reflection).distance, bpOcclusion[@SLOT@].x,
                            bpOcclusion[@SLOT@].y, bpOcclusion[@SLOT@].z);
@@ -56,6 +56,11 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   if (bpLatticeLast[@SLOT@].x > 0.0f)
   {
     light.irradiance += weight * latticeIrradiance(bpLatticeShape(@SLOT@), point.position, BP_FACING);
+#if BP_DEBUG
+    float nodes = bpCoat ? 0.0f : weight / max(bpIntensity[@SLOT@], 1.0e-30f);
+    bpNodeShare += nodes;
+    bpNodeKnown += nodes * latticeKnown(bpLatticeShape(@SLOT@), point.position);
+#endif
   }
   else
 #endif
@@ -70,7 +75,7 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   {
     vec3 offset = position - bpOrigin[@SLOT@];
     bpBest.share = share;
-    float lookups = bpLookups;  // what the view itself looks up does not count
+    float lookups = bpLookups;  // lookups of the view itself do not count
     bpBest.hit = projectRay(probe, point.position, point.normal, point.reflection);
     bpLookups = lookups;
     bpBest.lookup = bpBest.hit.direction;

@@ -1,11 +1,11 @@
-// A line's pixels: a bright core in a dark halo, so that it reads in front of bright and of dark walls; smooth edges by the
-// distance to its outline.
+// A line's fragments: a bright core in a dark halo, visible on bright and dark walls, with smooth edges by the distance
+// to its outline.
 in vec2 place;
 flat in float lineLength;
 flat in vec3 lineColor;
 flat in vec2 lineShape;
 
-uniform int bpPart;          // 0: what a surface hides, dashed and faint; 1: halo; 2: core
+uniform int bpPart;  // 0: hidden parts, dashed and faint; 1: halo; 2: core
 uniform float bpPixelScale;
 
 const float kHaloPixels = 1.75f;
@@ -21,7 +21,7 @@ float outline()
   float end = arrow ? lineLength - 0.5f * head : lineLength;
   float beyond = max(max(-place.x, place.x - end), 0.0f);
   if (lineShape.y < 1.5f) { return length(vec2(beyond, place.y)) - lineShape.x; }
-  if (!arrow) { return 1.0e6f; }  // too short on the screen for a head
+  if (!arrow) { return 1.0e6f; }  // too short on the screen for an arrowhead
   vec2 q = vec2(lineLength - place.x, abs(place.y));  // from the tip backwards
   return max(dot(q, normalize(vec2(-headHalf, head))), q.x - head);
 }

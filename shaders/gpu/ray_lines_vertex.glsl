@@ -1,23 +1,23 @@
-// A line of constant width in pixels as a rectangle facing the screen, one instance a line, four corners each. The ends are
-// projected here, so moving the camera uploads nothing but two matrices.
+// A line of constant width in pixels as a rectangle facing the screen: one instance per line, four vertices each. The
+// ends are projected here, so a moved camera uploads only two matrices.
 in vec3 bpFrom;    // relative to the lines' anchor, which was subtracted in double
 in vec3 bpTo;
 in vec3 bpColor;
 in vec2 bpShape;   // width in pixels; 1: the shaft of an arrow, 2: its head
 
 uniform mat4 bpClipFromLine;
-uniform mat4 bpPulledFromLine; // the same a little nearer to the eye: only its depth is used, so a line on a wall wins over it
+uniform mat4 bpPulledFromLine;  // the same slightly nearer to the eye: only its depth is used, so that a line on a wall is in front of it
 uniform vec2 bpHalfViewport;   // pixels
-uniform float bpNear;          // view depth before which a line is cut; below 0 in parallel projection: nowhere
-uniform float bpPixelScale;    // device pixels a logical one
+uniform float bpNear;  // view depth at which a line is clipped; negative in parallel projection: none
+uniform float bpPixelScale;  // device pixels per logical pixel
 
 out vec2 place;                // pixels along and across, 0 at the start
 flat out float lineLength;     // pixels
 flat out vec3 lineColor;
 flat out vec2 lineShape;       // half width in pixels; 1 or 2: of an arrow
 
-// Beyond the ends and to the sides, pixels: halo and smooth edge. A head is wider, and a rectangle of its own so that long
-// shafts stay narrow: what lines cost is the pixels they cover.
+// Margin in pixels beyond the ends and sides for halo and smooth edge. Arrowheads are wider and have separate
+// rectangles, so that long shafts stay narrow: the cost is the covered pixels.
 const float kReach = 3.0f;
 const float kHeadReach = 7.0f;
 const float kHeadLength = 14.0f;
@@ -32,7 +32,7 @@ void main()
   lineLength = 0.0f;
   lineColor = bpColor;
   lineShape = vec2(0.5f * bpShape.x * bpPixelScale, bpShape.y);
-  // Behind the eye there is nothing to project: the part before `bpNear` is cut off.
+  // Points behind the eye cannot be projected: clips the part in front of `bpNear`.
   if (a.w < bpNear && b.w < bpNear) { gl_Position = vec4(0.0f, 0.0f, 2.0f, 1.0f); return; }
   if (a.w < bpNear)
   {
@@ -59,7 +59,7 @@ void main()
   float side = (gl_VertexID & 2) == 2 ? reach : -reach;
   vec2 corner = (atEnd ? end + reach * along : start + first * along) + side * across;
   place = vec2(atEnd ? lineLength + reach : first, side);
-  // w = 1: depth and place run linearly over the screen.
+  // w = 1: depth and place are linear on the screen.
   float depth = atEnd ? pulledB.z / pulledB.w : pulledA.z / pulledA.w;
   gl_Position = vec4(corner / bpHalfViewport, depth, 1.0f);
 }

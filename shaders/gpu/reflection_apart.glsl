@@ -1,7 +1,7 @@
-// The sampled part of a surface's reflection beside its colour, for a framebuffer with further attachments, so that it can be
-// smoothed without the textures it lies on (reflection_blur.glsl). Lies within VTK's main(); BP_APART is 1 for opaque surfaces
-// whose technique samples and asks for it, 2 for any other. Those are opaque and overwrite what lay behind them, or are blended:
-// then the zeros leave reflection and surface behind as they are, and take from its share what they cover.
+// Writes the sampled part of a surface's reflection to further attachments, so that it can be smoothed separately from
+// the textures (reflection_blur.glsl). Part of VTK's main(). BP_APART is 1 for opaque surfaces whose technique samples
+// and requests this, 2 for others. Those are opaque and overwrite what is behind, or are blended: then the zeros
+// preserve reflection and surface behind, and reduce its share by their coverage.
 #if BP_APART == 1
   gl_FragData[1] = vec4(bpLight.sampled, roughness);
 #ifdef CLEAR_COAT

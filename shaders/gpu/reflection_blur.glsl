@@ -1,25 +1,25 @@
-// One of two passes that smooth the sampled reflection: a mean over 5 x 5 pixels, `bpStep` apart, of those that lie on the same
-// surface (a joint bilateral filter; the steps of 1 and 2 together are the start of an a-trous transform). How far it reaches follows
-// the lobe, for a mirror's picture is all detail, and the number of rays, for their noise falls as it grows. Incoming light is what
-// is smoothed; the surface's own reflectance, and with it every texture, multiplies it afterwards.
+// One of two passes that smooth the sampled reflection: a mean over 5 x 5 pixels, `bpStep` apart, on the same surface
+// (a joint bilateral filter; the steps of 1 and 2 form the start of an a-trous transform). The width depends on the
+// lobe, because mirrors show detail, and on the number of rays, because noise decreases with it. Incoming light is
+// smoothed; the surface's reflectance, with all textures, is multiplied afterwards.
 uniform sampler2D bpReflection; // rgb incoming light, a roughness
 uniform sampler2D bpSurface;    // normal and depth, view space
 uniform float bpScale;          // of bpReflection: 1 / frames
 uniform int bpStep;             // pixels
-uniform float bpRays;           // a pixel, of all frames
+uniform float bpRays;  // per pixel, in all frames
 uniform vec2 bpTangents;        // half the picture at depth 1, or half its size under parallel projection
 uniform vec2 bpSize;            // pixels
 uniform float bpParallelView;   // 1 under parallel projection
 #if BP_LAST
 uniform sampler2D bpColor;      // sum of frames
 uniform sampler2D bpFirst;      // reflection before the first pass, sum of frames
-uniform sampler2D bpShare;      // what a surface makes of its incoming light
+uniform sampler2D bpShare;  // factor of the incoming light, from the surface
 uniform float bpColorScale;     // 1 / frames
 #endif
 
-const float kWidest = 9.0f;      // variance in pixels²: beyond, what is smoothed is no longer noise
-const float kOfLobe = 0.35f;     // standard deviation over alpha, in heights of the picture: a lobe's own detail on the screen
-const float kQuietRays = 24.0f;  // with so many rays half the variance will do
+const float kWidest = 9.0f;  // variance in pixels²: beyond it, detail would be smoothed as well as noise
+const float kOfLobe = 0.35f;  // standard deviation over alpha, in heights of the picture: the size of a lobe's detail on screen
+const float kQuietRays = 24.0f;  // the number of rays at which half of the variance is enough
 
 vec3 place(ivec2 pixel, float depth)
 {
@@ -35,7 +35,7 @@ void main()
   vec3 normal = normalize(surface.xyz + vec3(0.0f, 0.0f, 1.0e-20f));
   float alpha = middle.a * middle.a;
   float reach = kOfLobe * alpha * bpSize.y;
-  // The two passes add up to five times the variance of the first.
+  // The two passes together have five times the variance of the first.
   float variance = min(reach * reach, kWidest) / (1.0f + bpRays / kQuietRays) / 5.0f * float(bpStep * bpStep);
   vec4 sum = middle;
   float weights = 1.0f;
@@ -55,7 +55,7 @@ void main()
         vec4 other = texelFetch(bpSurface, to, 0);
         if (other.w <= 0.0f) { continue; }
         vec4 light = texelFetch(bpReflection, to, 0) * bpScale;
-        float off = dot(normal, place(to, other.w) - here) / (3.0f * pixel);  // out of the plane, of its tolerance
+        float off = dot(normal, place(to, other.w) - here) / (3.0f * pixel);  // distance from the plane, relative to its tolerance
         float bend = acos(clamp(dot(normal, normalize(other.xyz)), -1.0f, 1.0f)) / turn;
         float rough = (light.a - middle.a) / 0.05f;
         float w = exp(-0.5f * float(shift.x * shift.x + shift.y * shift.y) / variance - off * off - bend * bend - rough * rough);

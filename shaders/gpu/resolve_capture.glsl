@@ -1,6 +1,6 @@
-// From a rendered face (float, several samples per texel) to a texel of the probe: mean colour brought into half-float range,
-// distance from the depth buffer. An occlusion query counts the texels that are drawn: nearly always all are good, and one pass is all.
-// Needs shared/cube.glsl.
+// Converts a rendered face (float, several samples per texel) to texels of the probe: mean colour clamped to half-float
+// range, distance from the depth buffer. An occlusion query counts the texels drawn: almost always all are valid, and
+// one pass is enough. Needs shared/cube.glsl.
 uniform sampler2D bpColor;
 uniform sampler2D bpDepth;
 uniform int bpScale;      // samples along each side of a texel
@@ -8,18 +8,19 @@ uniform int bpFace;
 uniform float bpFaceSize; // texels
 uniform float bpNear;     // clipping distances of the capture, scene units
 uniform float bpFar;
-uniform int bpKeep;       // 0: good texels; 1: all, brought into range; 2: none but those that are not finite
+uniform int bpKeep;  // 0: valid texels; 1: all, clamped; 2: only those that are not finite
 
 const float kHalfMax = 65504.0f;
 const float kFloatMax = 3.4e38f;
 
 bool bpFinite(vec4 c) { return all(lessThanEqual(abs(c), vec4(kFloatMax))); }
 
-// How far window depth may be from linear on a plane: rounding, and a share of what is left to the far end.
+// Tolerance of window depth from a linear function on a plane: rounding, and a share of the remaining depth range.
 float bpFlat(float depth) { return 1.0e-6f + 0.02f * (1.0f - depth); }
 
-// Does the step in depth between the two samples at the centre, along `side`, go on to at least one of its ends? A plane's does; an
-// edge that runs along the samples' rows does not, though opposite corners of the four have the same sum there.
+// Does the depth step between the two samples at the centre, along `side`, continue to at least one of its ends? On a
+// plane it does; at an edge parallel to the rows of samples it does not, although opposite corners of the four have
+// equal sums there.
 bool bpGoesOn(ivec2 middle, ivec2 side, float farthest)
 {
   ivec2 last = ivec2(int(bpFaceSize) * bpScale - 1);
@@ -43,7 +44,7 @@ void main()
       vec4 c = texelFetch(bpColor, corner + ivec2(x, y), 0);
       bool ok = bpFinite(c);
       finite = finite && ok;
-      // Clamped sample by sample: an infinite sum would hide finite neighbours.
+      // Clamps each sample: an infinite sum would hide finite neighbours.
       sum += ok ? min(c, vec4(kHalfMax * float(bpScale * bpScale))) : vec4(0.0f);
     }
   }
@@ -52,9 +53,9 @@ void main()
   if (bpKeep == 0 && !(finite && inRange)) { discard; }
   if (bpKeep == 2 && finite) { discard; }
 
-  // Distance at the texel's centre, which lies between samples where their number is even. Window depth is linear across a plane on
-  // the screen, so the mean of the samples around the centre is exact on one; across an edge it would be a surface that is not there,
-  // and the nearest sample stands alone.
+  // Distance at the texel's centre, which is between samples if their number is even. Window depth is linear across a
+  // plane, so the mean of the samples around the centre is exact on one. Across an edge the mean would be a surface
+  // that does not exist, so the nearest sample is used.
   ivec2 middle = corner + ivec2(bpScale / 2);
   float depth = texelFetch(bpDepth, middle, 0).r;
   if (bpScale % 2 == 0)
@@ -73,5 +74,5 @@ void main()
   float toDistance = length(cubeDirection(bpFace, st.x, st.y));
 
   gl_FragData[0] = vec4(clamp(mean.rgb, vec3(0.0f), vec3(kHalfMax)), clamp(mean.a, 0.0f, 1.0f));
-  gl_FragData[1] = vec4(depth < 1.0f ? viewDepth * toDistance : 0.0f, 0.0f, 0.0f, 1.0f); // 0: nothing was hit
+  gl_FragData[1] = vec4(depth < 1.0f ? viewDepth * toDistance : 0.0f, 0.0f, 0.0f, 1.0f);  // 0: nothing was hit
 }

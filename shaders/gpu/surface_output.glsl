@@ -1,5 +1,5 @@
-// What the surface is at a pixel, beside its colour, for a framebuffer with further attachments: read by
-// filters/vtk/inspect/surface_capture.cpp, explained by filters/explain/explain_pixel.cpp. Lies within VTK's main(), debug view only.
+// Writes the surface's properties at a pixel to further attachments: read by filters/vtk/inspect/surface_capture.cpp,
+// explained by filters/explain/explain_pixel.cpp. Part of VTK's main(), debug view only.
   gl_FragData[1] = vec4(bpViewToWorld * vertexVC.xyz, bpObject); // relative to the eye, world axes
   gl_FragData[2] = vec4(bpViewToWorld * N, roughness);
   gl_FragData[3] = vec4(albedo, metallic);
@@ -12,7 +12,7 @@
   gl_FragData[6] = vec4(baseF0Uniform, opacity, 0.0, 0.0);
 #endif
 #if defined(BP_FINISH) && !defined(BP_GLASS)
-  // A pass of its own has what few materials have.
+  // Finish properties are written in a separate pass.
   if (bpFinishShown != 0)
   {
     gl_FragData[1] = vec4(bpFinish.f0, bpFinish.edge);
@@ -23,6 +23,6 @@
 #endif
 #ifdef BP_GLASS
   if (bpFinishShown != 0) { gl_FragData[1] = vec4(1.0f BP_THICKNESS_FACTOR, 1.0f BP_TRANSMISSION_FACTOR, 0.0, 0.0); }
-  // Whose faces bend light by the side that is seen.
+  // Faces refract light depending on the side that is seen.
   gl_FragData[6].y = gl_FrontFacing ? 1.0 : -1.0;
 #endif

@@ -1,9 +1,9 @@
-// The debug view's output: the value of the chosen row of filters/core/scene/surface_view.cpp, as a colour on the screen, as the
-// number itself into linear pictures. Spliced in for the debug view only.
+// The debug view's output: the value of the chosen row of filters/core/scene/surface_view.cpp, as a colour on the
+// screen, as a number in linear pictures. Spliced in for the debug view only.
 uniform vec2 bpViewRange;      // of scalars
 uniform sampler2D bpViewColors; // colour map, 256 x 1
 uniform vec3 bpFaceColors[6];
-uniform int bpFinishShown;     // 1: the surface's finish, in the place of what every surface has
+uniform int bpFinishShown;  // 1: the surface's finish instead of the common properties
 uniform float bpObject;        // index of the object + 1, for picking
 
 const vec3 kUndefined = vec3(-1.0f);
@@ -32,10 +32,12 @@ vec3 bpViewValue()
   if (bpView == 7) { return traced ? 0.5f * normalize(bpBest.lookup) + 0.5f : kUndefined; }
   if (bpView == 8) { return bpWeightColor; }
   if (bpView == 9) { return traced ? vec3(float(bpBest.hit.face)) : kUndefined; }
+  if (bpView == 11) { return bpDiffuseLight; }
+  if (bpView == 12) { return bpNodeShare > 0.0f ? vec3(bpNodeKnown / bpNodeShare) : kUndefined; }
   return vec3(bpLookups);
 }
 #else
-// Nothing is looked up: an unlit material, or probes switched off.
+// No lookups: an unlit material, or probes are switched off.
 vec3 bpViewValue()
 {
   return bpView == 10 ? vec3(0.0f) : kUndefined;
@@ -49,12 +51,13 @@ vec3 bpViewColor(vec3 color)
   if (bpExposure < 0.0f) { return value; }
   if (value.x < 0.0f)
   {
-    // Hatched: no colour of any scale, on any surface.
+    // Hatched: unlike any colour of a scale, on any surface.
     float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0f);
     return vec3(stripe < 0.5f ? 0.30f : 0.36f);
   }
   if (bpView == 9) { return bpFaceColors[int(value.x + 0.5f)]; }
   if (bpView == 7 || bpView == 8) { return value; }
+  if (bpView == 11) { return bpOutput(value); }
   float x = clamp((value.x - bpViewRange.x) / max(bpViewRange.y - bpViewRange.x, 1.0e-30f), 0.0f, 1.0f);
   return texture(bpViewColors, vec2((x * 255.0f + 0.5f) / 256.0f, 0.5f)).rgb;
 }

@@ -1,5 +1,5 @@
-// For comparison and teaching only: a probe's weight by distance inside / blend distance, a quotient of two lengths: 0 / 0 on the
-// face of a probe without a blend distance.
+// For comparison and teaching only: a probe's weight as distance inside / blend distance: 0 / 0 on the face of a probe
+// without a blend distance.
 float publishedInfluence(vec3 position, vec3 influenceMin, vec3 influenceMax, float blendDistance)
 {
   vec3 inside = min(position - influenceMin, influenceMax - position);

@@ -1,5 +1,5 @@
-// For comparison and teaching only: the further of both planes of each axis in place of a selection (Lagarde and Zanuttini 2012; Arm),
-// the form most engines carry. A component of 0 gives +inf, as it should; with P on that face 0 / 0.
+// For comparison and teaching only: the farther of both planes of each axis instead of a selection (Lagarde and
+// Zanuttini 2012; Arm), the form in most engines. A component of 0 gives +inf, as it should; with P on that face 0 / 0.
 ProbeHit publishedBoxMax(ProbeShape probe, vec3 position, vec3 reflection)
 {
   vec3 upper = (probe.boxMax - position) / reflection;

@@ -1,5 +1,6 @@
-// For comparison and teaching only: box projection in the form it was first published in (Czuba 2010), and that Unity and three.js
-// have: both planes of each axis, the one ahead selected by the ray's sign. A component of +0 selects (min - P) / 0 = -inf.
+// For comparison and teaching only: box projection as first published (Czuba 2010), and as in Unity and three.js: of
+// both planes of each axis, the one ahead is selected by the ray's sign. A component of +0 selects (min - P) / 0 =
+// -inf.
 ProbeHit publishedBoxSelect(ProbeShape probe, vec3 position, vec3 reflection)
 {
   vec3 upper = (probe.boxMax - position) / reflection;

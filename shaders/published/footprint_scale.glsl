@@ -1,5 +1,5 @@
-// For comparison and teaching only: the solid angle's scale (t / |d|)² cos_C / cos_P written down as it reads, squares of lengths
-// first. In boxes of 1e-20 or 1e20 they under- and overflow.
+// For comparison and teaching only: the solid angle's scale (t / |d|)² cos_C / cos_P as printed, with squares of
+// lengths first. They underflow in boxes of 1e-20, and overflow in boxes of 1e20.
 float publishedFootprintScale(ProbeShape probe, ProbeHit hit, vec3 direction)
 {
   vec3 d = hit.direction;

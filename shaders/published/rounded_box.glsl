@@ -1,6 +1,6 @@
-// For comparison and teaching only: a box with rounded edges by deciding once, at the sharp box's hit, which edge (a cylinder) the
-// ray meets, and then the corner (a sphere), whose root replaces the edge's. Around the capture origin: right only where that is the
-// box's centre. Needs box_max.glsl.
+// For comparison and teaching only: a box with rounded edges by deciding once, at the sharp box's hit, which edge (a
+// cylinder) the ray meets, and then the corner (a sphere), whose root replaces the edge's. Around the capture origin:
+// correct only if that is the box's centre. Needs box_max.glsl.
 ProbeHit publishedRoundedBox(ProbeShape probe, vec3 position, vec3 reflection)
 {
   ProbeHit hit = publishedBoxMax(probe, position, reflection);
@@ -10,7 +10,7 @@ ProbeHit publishedRoundedBox(ProbeShape probe, vec3 position, vec3 reflection)
   vec3 beyond = vec3(abs(x.x) > inner.x ? 1.0f : 0.0f, abs(x.y) > inner.y ? 1.0f : 0.0f, abs(x.z) > inner.z ? 1.0f : 0.0f);
   vec3 o = position - side * inner;
   float count = beyond.x + beyond.y + beyond.z;
-  // The edge along the axis that lies within, then the corner.
+  // The edge along the remaining axis, then the corner.
   for (int i = 0; i < 2; ++i)
   {
     vec3 m = i == 0 ? (count > 2.5f ? vec3(1.0f, 1.0f, 0.0f) : beyond) : vec3(1.0f);

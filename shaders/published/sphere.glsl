@@ -1,5 +1,5 @@
-// For comparison and teaching only: exit from the sphere around the box by the quadratic formula as textbooks print it. Cancels
-// where P lies near the sphere, squares lengths as they come, and has no root where the ray misses.
+// For comparison and teaching only: exit from the sphere around the box by the textbook quadratic formula. It cancels
+// where P is near the sphere, squares lengths unscaled, and has no root if the ray misses.
 ProbeHit publishedSphere(ProbeShape probe, vec3 position, vec3 reflection)
 {
   vec3 o = position - 0.5f * (probe.boxMin + probe.boxMax);

@@ -1,5 +1,6 @@
-// The masking term of the split sum as it is most often printed (Karis 2013, k = alpha / 2 for image-based light): a fit to Smith's, which
-// takes away more than that. One sample of the two factors, for the half vector `h` of a surface seen at `cosine` to its normal.
+// The masking term of the split sum that is printed most often (Karis 2013, k = alpha / 2 for image-based light): a fit
+// to Smith's that removes more light. One sample of the two factors, for the half vector `h` of a surface seen at
+// `cosine` to its normal.
 float publishedSmithFit(float c, float alpha)
 {
   float k = 0.5f * alpha;

@@ -1,4 +1,4 @@
-// Brushed surfaces: microfacets that lean further along one direction than across it (KHR_materials_anisotropy).
+// Brushed surfaces: microfacets whose slopes vary more along one direction than across it (KHR_materials_anisotropy).
 
 // GGX alpha along the direction, and across it.
 vec2 anisotropicAlpha(float alpha, float strength)
@@ -6,8 +6,8 @@ vec2 anisotropicAlpha(float alpha, float strength)
   return vec2(mix(alpha, 1.0f, strength * strength), alpha);
 }
 
-// D times the height-correlated Smith masking over 4 N.L N.V (Burley 2012, Heitz 2014). `toView` ... `half` in the frame of the
-// direction, the one across it and the normal.
+// D times height-correlated Smith masking over 4 N.L N.V (Burley 2012, Heitz 2014). `toView` ... `halfway` are in the
+// frame of that direction, the one across it and the normal.
 float anisotropicLobe(vec3 toView, vec3 toLight, vec3 halfway, vec2 alpha)
 {
   vec2 a = max(alpha, vec2(1.0e-4f));
@@ -19,8 +19,8 @@ float anisotropicLobe(vec3 toView, vec3 toLight, vec3 halfway, vec2 alpha)
   return distribution * 0.5f / max(view + light, 1.0e-6f);
 }
 
-// The normal that one lookup stands for the streak by: turned towards the view across the direction `across`, the further the stronger
-// and the smoother (McAuley 2015, "Rendering the World of Far Cry 4").
+// The normal for the single lookup that represents the streak: bent towards the view across the direction `across`,
+// more for strong anisotropy and smooth surfaces (McAuley 2015, "Rendering the World of Far Cry 4").
 vec3 anisotropicNormal(vec3 normal, vec3 view, vec3 across, float roughness, float strength)
 {
   vec3 towards = cross(cross(across, view), across);

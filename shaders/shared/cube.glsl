@@ -1,7 +1,7 @@
-// The cube map's frame: OpenGL's face order +X -X +Y -Y +Z -Z and its orientation within a face (OpenGL 4.5, table 8.19).
+// The cubemap's frame: OpenGL's face order +X -X +Y -Y +Z -Z and orientation within a face (OpenGL 4.5, table 8.19).
 
-// Direction through the point (s, t) of a face, both in [-1, 1], s along the texture's columns, t along its rows.
-// Not normalised: its largest component is 1.
+// Direction through the point (s, t) of a face, both in [-1, 1], s along the texture's columns, t along its rows. Not
+// normalised: its largest component is 1.
 vec3 cubeDirection(int face, float s, float t)
 {
   if (face == 0) { return vec3(1.0f, -t, -s); }
@@ -12,8 +12,8 @@ vec3 cubeDirection(int face, float s, float t)
   return vec3(-s, -t, -1.0f);
 }
 
-// Direction to the centre of the texel of a face of `faceSize`² that a direction falls into, its largest component 1. The grid
-// looks the same from every side, so no face has to be named.
+// Direction to the centre of the texel that a direction falls into, for faces of `faceSize`² texels; its largest
+// component is 1. The grid is the same on all faces, so the face need not be known.
 vec3 cubeTexelCentre(vec3 direction, float faceSize)
 {
   vec3 a = abs(direction);
@@ -28,7 +28,7 @@ vec3 cubeTexelCentre(vec3 direction, float faceSize)
   return centre;
 }
 
-// Number of the cell of `faceSize`² a face that a direction falls into: faces in order, row by row.
+// Index of the cell that a direction falls into, for faces of `faceSize`² cells: faces in order, row by row.
 int cubeCell(vec3 direction, int faceSize)
 {
   vec3 a = abs(direction);

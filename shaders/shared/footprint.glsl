@@ -1,40 +1,43 @@
-// Footprints: how large a patch of the captured cube a lobe, or a piece of it, covers; that, and not the distance alone, says
-// which level holds the patch's mean. Two ways to find it:
+// Footprints: how large a patch of the captured cube a lobe, or a part of it, covers. This, and not only the distance,
+// determines the level with the patch's mean. There are two ways to find it.
 //
-// From one ray. A piece of solid angle w leaves P, meets the wall at distance t and covers there a patch that, seen from the
-// capture origin C, subtends J w,
-//   J = (t / |d|)² cos_C / cos_P,   d from C to the hit, cosines between the wall's normal and the directions from C and from P.
-// A level's lobe is round and the patch is not: the longer it is, the more of it a round lobe of the same area leaves out. So the
-// longer axis, which grows with (t / |d|) / cos_P, counts by half a power more than in the area: the power the fit preferred.
+// From one ray: a part of solid angle w leaves P, meets the wall at distance t and covers a patch that subtends J w
+// from the capture origin C, J = (t / |d|)² cos_C / cos_P, with d from C to the hit and cosines between the wall's
+// normal and the directions from C and from P. A level's lobe is round and the patch is elongated, so a round lobe of
+// the same area misses more of it the longer it is. The longer axis, which grows with (t / |d|) / cos_P, therefore
+// counts by half a power more than in the area, the power that the fit preferred.
 //
-// From several rays: the mean and the spread of their hits, seen from C. Sees what one ray cannot: that a wide lobe meets several
-// walls, and that its nearer side covers more of the cube. One lookup is worth three rays; many pieces are small enough for one each.
+// From several rays: the mean and the spread of their hits, seen from C. This also handles wide lobes that meet several
+// walls, and the larger footprint of the lobe's nearer side. One lookup is then worth three rays; many parts are small
+// enough for one each.
 //
-// Needs slab.glsl, roughness.glsl and lobe_frame.glsl; the host supplies PROBE_MAP, fetchProbe and projectRay. Called by
-// technique/evaluation_footprint*.glsl, whose constants tests/bench/fit_footprints finds.
+// Needs slab.glsl, roughness.glsl and lobe_frame.glsl; the host supplies PROBE_MAP, fetchProbe and projectRay. The
+// constants in technique/evaluation_footprint*.glsl were found by tests/bench/fit_footprints.
 
-// x: t / |d|, y: cos_C, z: cos_P; all 1 for a direction that meets nothing, which is seen from C as from P.
+// x: t / |d|, y: cos_C, z: cos_P; all 1 for a direction that meets nothing, which looks the same from C and P.
 vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
 {
   if (hit.distance >= kNoHit) { return vec3(1.0f); }
   vec3 a = abs(hit.direction);
   float largest = max(max(a.x, a.y), a.z);
-  // In units of t: no square under- or overflows. At the wall itself (t = 0) the patch is a point; the least t keeps 1 / t finite.
+  // In units of t, so that no square under- or overflows. At the wall itself (t = 0) the patch is a point; the minimum
+  // keeps 1 / t finite.
   float t = max(hit.distance, max(1.0e-9f * largest, 1.0e-37f));
-  float perT = 1.0f / t;  // one division, as many as it saves cost more than what they divide
+  float perT = 1.0f / t;  // one division; avoiding it would cost more
   vec3 d = hit.direction * perT;
   float distanceC = 0.0f;  // of C from the wall's plane, in units of t
   float cosineP = 1.0f;
   if (hit.face >= 0)
   {
-    // A soft choice of wall, by how nearly the ray meets each: a hard one draws lines along the edges.
+    // A soft choice of wall by the similarity of distances: a hard choice would show lines along the edges.
     vec3 w = vec3(t) / max(hit.slabFactors, vec3(t));
     w = w * w;
     w = w * w;
     vec3 faces = vec3(direction.x < 0.0f ? -probe.boxMin.x : probe.boxMax.x,
                       direction.y < 0.0f ? -probe.boxMin.y : probe.boxMax.y,
                       direction.z < 0.0f ? -probe.boxMin.z : probe.boxMax.z);
-    // A refined hit is not on the box: its planes lie where the ray reaches each. For hits on the box that would cancel.
+    // A refined hit is not on the box: its planes are where the ray reaches each. For hits on the box this would
+    // cancel.
     vec3 plane = faces;
     if (hit.refined > 0.5f)
     {
@@ -52,8 +55,8 @@ vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
     distanceC = dot(outwards, d) / size;
     cosineP = dot(outwards, direction) / size;
   }
-  // C behind the wall (outside the box) sees nothing of it: 0, the capture's own sharpness. The bounds are far beyond what a
-  // level can express.
+  // C behind the wall (outside the box) sees nothing of it: 0, the capture's own sharpness. The bounds are far beyond
+  // the range of levels.
   float ratio = 1.0f / max(length(d), 1.0e-4f);
   return vec3(ratio, min(max(distanceC, 0.0f) * ratio, 1.0e6f), max(cosineP, 1.0e-3f));
 }
@@ -65,20 +68,20 @@ float footprintScale(ProbeShape probe, ProbeHit hit, vec3 direction)
   return c.x * c.x * c.y / c.z;
 }
 
-// Level for a footprint as large as a lobe of `alphaSquared`, and by `bias` levels sharper (below 0) or blurrier.
+// Level of a footprint as large as a lobe of `alphaSquared`, made sharper (negative) or blurrier by `bias` levels.
 float footprintLevel(ProbeShape probe, float alphaSquared, float bias)
 {
   return clamp(levelForAlpha(sqrt(clamp(alphaSquared, 0.0f, 1.0f)), probe.maxLevel) + bias, 0.0f, probe.maxLevel);
 }
 
-// The same with less of the bias below level 1 and none at level 0, so that a mirror stays one.
+// The same with a reduced bias below level 1 and none at level 0, so that mirrors stay sharp.
 float footprintEasedLevel(ProbeShape probe, float alphaSquared, float bias)
 {
   float level = footprintLevel(probe, alphaSquared, 0.0f);
   return clamp(level + bias * min(level, 1.0f), 0.0f, probe.maxLevel);
 }
 
-// The lobe, in `points` pieces of the same size, as it stands before a technique sets its constants; see types.glsl.
+// The lobe divided into `points` parts of equal size, before a technique sets its constants; see types.glsl.
 FootprintLobe footprintLobe(ShadingPoint point, float points)
 {
   FootprintLobe lobe;
@@ -104,7 +107,8 @@ FootprintLobe footprintLobe(ShadingPoint point, float points)
   return lobe;
 }
 
-// Schlick's reflectance of a microfacet seen at `cosine`, over that at the edge; `f0`: straight on (ShadingPoint::f0). `rise`: a factor.
+// Schlick's reflectance of a microfacet at `cosine`, relative to grazing incidence; `f0`: that at normal incidence
+// (ShadingPoint::f0). `rise`: a factor.
 float facetReflectance(float f0, float cosine, float rise)
 {
   float c = clamp(1.0f - cosine, 0.0f, 1.0f);
@@ -112,7 +116,7 @@ float facetReflectance(float f0, float cosine, float rise)
   return f0 + (1.0f - f0) * rise * c2 * c2 * c;
 }
 
-// The ray that the point (u, v) of the disk stands for (Heitz 2018).
+// The ray of the point (u, v) of the disk (Heitz 2018).
 FootprintRay footprintRay(ShadingPoint point, FootprintLobe lobe, float pointU, float pointV)
 {
   float a = lobe.alpha;
@@ -126,8 +130,8 @@ FootprintRay footprintRay(ShadingPoint point, FootprintLobe lobe, float pointU, 
   FootprintRay ray;
   ray.cover = 1.0f / max(dot(h, h), 1.0e-18f);
   vec3 l = 2.0f * dot(lobe.view, h) * ray.cover * h - lobe.view;
-  // Below the surface a piece has no light: next to no weight along the horizon, so that the weights never sum to 0. Only there is
-  // the direction not of unit length.
+  // A part below the surface has no light: a tiny weight along the horizon keeps the sum of weights above 0. Only there
+  // the direction is not of unit length.
   float lz = max(l.z, 1.0e-3f);
   vec3 upright = point.normal * lz + lobe.tangent * l.x;
   vec3 aside = lobe.bitangent * l.y;
@@ -147,13 +151,13 @@ FootprintSum footprintStart()
   return sum;
 }
 
-// A piece around one ray, looked up. `size`: its part of the lobe's.
+// Adds the lookup of a part around one ray. `size`: fraction of the lobe's size.
 FootprintSum footprintAddRay(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
                              FootprintRay ray, float weight, float size)
 {
   ProbeHit hit = projectRay(probe, point.position, point.normal, ray.direction);
   vec3 c = footprintCosines(probe, hit, ray.direction);
-  float along = c.x * ray.cover / c.z;  // the longer axis, in units of the piece's width
+  float along = c.x * ray.cover / c.z;  // the longer axis, in units of the part's width
   float area = lobe.size * size * along * c.x * c.y * ray.cover;
   FootprintSum result;
   float level = footprintEasedLevel(probe, area * sqrt(along), lobe.bias);
@@ -168,7 +172,7 @@ FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, F
   return footprintAddRay(map, probe, point, lobe, sum, footprintRay(point, lobe, u, v), weight, size);
 }
 
-// Two pieces, mirrored in the plane of N and V: one ray's arithmetic serves both.
+// Adds two parts that mirror each other in the plane of N and V: one ray's arithmetic serves both.
 FootprintSum footprintAddPair(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
                               float v, float weight, float size)
 {
@@ -182,7 +186,7 @@ FootprintSum footprintAddPair(PROBE_MAP map, ProbeShape probe, ShadingPoint poin
 vec3 footprintSeen(ProbeHit hit)
 {
   vec3 a = abs(hit.direction);
-  vec3 d = hit.direction / max(max(max(a.x, a.y), a.z), 1.0e-37f);  // no square under- or overflows
+  vec3 d = hit.direction / max(max(max(a.x, a.y), a.z), 1.0e-37f);  // avoids under- and overflow of squares
   return d / sqrt(max(dot(d, d), 1.0e-30f));
 }
 
@@ -215,8 +219,8 @@ FootprintPatch footprintExtend(ProbeShape probe, ShadingPoint point, FootprintLo
   return result;
 }
 
-// The patch's mean. Its alpha² is `narrow` of the rays' variance, and for wide patches, which bend around C, more: `wide` of its
-// square. Where there is nothing to hit the surface's own.
+// The patch's mean. Its alpha² is `narrow` times the rays' variance and, for wide patches, which curve around C, `wide`
+// times its square more. Without a hit it is the surface's own.
 vec4 footprintMean(PROBE_MAP map, ProbeShape probe, FootprintPatch seen, float narrow, float wide, float bias)
 {
   vec3 mean = seen.offset / seen.weight;

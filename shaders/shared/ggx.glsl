@@ -1,7 +1,7 @@
 // GGX (Trowbridge-Reitz) terms. alpha = perceptual roughness squared.
 
-// Half vector in the frame of the normal (z), for N = V, distributed as D(h) (h.z); u in [0,1)². Returned unnormalised
-// forms lose digits at small alpha; this one keeps cos and sin apart: tan²(theta) = alpha² u/(1-u).
+// Half vector in the frame of the normal (z), for N = V, distributed as D(h) (h.z); u in [0,1)². Forms with a single
+// cosine lose digits at small alpha; this one keeps cosine and sine separate: tan²(theta) = alpha² u/(1-u).
 vec3 ggxHalfVector(vec2 u, float alpha)
 {
   float phi = 6.2831853f * u.x;
@@ -11,8 +11,8 @@ vec3 ggxHalfVector(vec2 u, float alpha)
 }
 
 // Normal distribution D(h) for a unit half vector in the frame of the normal. Written with dot(h', h') of the stretched
-// vector instead of NH²(alpha²-1)+1, which cancels at small alpha. A unit vector has q >= alpha²: that bound, and 1e-30 for a mirror,
-// keep D below 1e30 for vectors that are shorter.
+// vector instead of NH²(alpha²-1)+1, which cancels at small alpha. A unit vector has q >= alpha²; that bound, and 1e-30
+// for a mirror, keep D below 1e30 for shorter vectors.
 float ggxDistribution(vec3 h, float alpha)
 {
   float q = h.x * h.x + h.y * h.y + alpha * alpha * h.z * h.z;

@@ -1,4 +1,4 @@
-// Numbers that look random, in whole-number arithmetic: the same to the last bit on a GPU and here.
+// Pseudorandom numbers in integer arithmetic, bit-identical on GPU and CPU.
 
 // PCG's output permutation (O'Neill 2014) over one step of its generator; Jarzynski and Olano 2020 measured it for shaders.
 uint hashed(uint value)

@@ -23,10 +23,12 @@ float lampSide(LAMP_SLOT lamp, vec3 position)
 {
   vec3 a = lampCorner(lamp, 0);
   vec3 along = lampCorner(lamp, 1) - a;
-  vec3 up = lampCorner(lamp, 2) - a;
+  float unit = 1.0f / max(length(along), 1.0e-30f);  // the first side counts as 1: products stay within a float's range
+  along = unit * along;
+  vec3 up = unit * (lampCorner(lamp, 2) - a);
   vec3 n = cross(along, up);
-  float height = dot(n, position - a);
-  float least = 1.0e-5f * length(n) * (length(along) + length(up));
+  float height = dot(n, unit * (position - a));
+  float least = 1.0e-5f * length(n) * (1.0f + length(up));
   float side = height > least ? 1.0f : (height < -least ? -1.0f : 0.0f);
   return lampShinesBothSides(lamp) ? side : max(side, 0.0f);
 }
@@ -40,8 +42,8 @@ vec3 lampAtHorizon(vec3 above, float heightAbove, vec3 below, float heightBelow)
 // The way along a polygon's edges, so far.
 struct LampOutline
 {
-  vec3 from;      // corner reached last, relative to the position
-  float height;   // its height above the horizon, in units of the first corner's distance: products stay within a float's range
+  vec3 from;      // corner reached last, relative to the position, in units of the last corner's distance, so that products stay within
+  float height;   // a float's range; its height above the horizon
   float square;   // of its distance
   float sum;      // over edges, as far as they are above the horizon: angle in turns times the cosine of their plane's normal
   vec3 leaves;    // directions where the polygon goes below the horizon and where it comes up again; 0: it does not
@@ -56,11 +58,11 @@ float lampTurnOverSine(float cosine)
   return cosine > 0.0f ? acute : 0.5f / sqrt(max(1.0f - x * x, 1.0e-12f)) - acute;
 }
 
-// Adds the edge to the corner `to`, relative to the position. `upright`: the normal over the unit of heights. An edge that is cut by the
-// horizon ends where it crosses it, a share of one end's direction and of the other's; its plane stays.
-LampOutline lampAlong(LampOutline way, vec3 to, vec3 normal, vec3 upright)
+// Adds the edge to the corner `to`, in the frame and the units of the way. An edge that is cut by the horizon ends where it crosses it, a
+// share of one end's direction and of the other's; its plane stays.
+LampOutline lampAlong(LampOutline way, vec3 to, vec3 normal)
 {
-  float height = dot(to, upright);
+  float height = dot(to, normal);
   float square = dot(to, to);
   bool fromAbove = way.height >= 0.0f;
   bool toAbove = height >= 0.0f;
@@ -85,9 +87,10 @@ float lampDiffuse(LAMP_SLOT lamp, vec3 position, vec3 normal)
   int count = max(lampCornerCount(lamp), 1);
   LampOutline way;
   way.from = lampCorner(lamp, count - 1) - position;
+  float unit = 1.0f / sqrt(max(dot(way.from, way.from), 1.0e-36f));
+  way.from = unit * way.from;
   way.square = dot(way.from, way.from);
-  vec3 upright = normal / sqrt(max(way.square, 1.0e-36f));
-  way.height = dot(way.from, upright);
+  way.height = dot(way.from, normal);
   way.sum = 0.0f;
   way.leaves = vec3(0.0f);
   way.enters = vec3(0.0f);
@@ -95,10 +98,10 @@ float lampDiffuse(LAMP_SLOT lamp, vec3 position, vec3 normal)
   int i = 0;
   do
   {
-    way = lampAlong(way, lampCorner(lamp, min(i, count - 1)) - position, normal, upright);
-    way = lampAlong(way, lampCorner(lamp, min(i + 1, count - 1)) - position, normal, upright);
-    way = lampAlong(way, lampCorner(lamp, min(i + 2, count - 1)) - position, normal, upright);
-    way = lampAlong(way, lampCorner(lamp, min(i + 3, count - 1)) - position, normal, upright);
+    way = lampAlong(way, unit * (lampCorner(lamp, min(i, count - 1)) - position), normal);
+    way = lampAlong(way, unit * (lampCorner(lamp, min(i + 1, count - 1)) - position), normal);
+    way = lampAlong(way, unit * (lampCorner(lamp, min(i + 2, count - 1)) - position), normal);
+    way = lampAlong(way, unit * (lampCorner(lamp, min(i + 3, count - 1)) - position), normal);
     i += 4;
   } while (i < count);
   // The arc that closes it along the horizon, less than half a turn, in the direction of the others.

@@ -14,12 +14,12 @@ LampLobe lampLobe(vec3 normal, vec3 view, float roughness)
   lobe.tangent = s > 1.0e-4f ? aside / s : lobeTangent(normal);  // V along N: any tangent
   lobe.bitangent = cross(normal, lobe.tangent);
   lobe.normal = normal;
-  lobe.view = vec3(sqrt(1.0f - nv * nv), 0.0f, nv);
+  lobe.view = normalize(vec3(s, 0.0f, nv));  // next to N, 1 - nv * nv has no digits left
   float p = clamp(roughness, 0.03f, 1.0f);  // below it a lobe is narrower than rounding allows the image to be
   lobe.alpha = p * p;
   float a2 = lobe.alpha * lobe.alpha;
-  lobe.maskView = sqrt(a2 + (1.0f - a2) * nv * nv);
-  lobe.stretched = normalize(vec3(lobe.alpha * lobe.view.x, 0.0f, nv));
+  lobe.maskView = sqrt(a2 + (1.0f - a2) * lobe.view.z * lobe.view.z);
+  lobe.stretched = normalize(vec3(lobe.alpha * lobe.view.x, 0.0f, lobe.view.z));
   lobe.spread = clamp(5.0f * (p - 0.15f), 0.0f, 1.0f);
   return lobe;
 }
@@ -92,8 +92,9 @@ LampImage lampImageEdge(LampLobe lobe, LampImage image, vec3 from, vec3 to)
   float dr = dot(d, mirrored);
   float ad = dot(start, d);
   float above = ar * ad - dr;
-  float below = dr * ad - ar * dot(d, d);
-  float t = abs(below) > 1.0e-20f ? clamp(above / below, 0.1f, 0.9f) : 0.5f;
+  float dd = dot(d, d);
+  float below = dr * ad - ar * dd;
+  float t = abs(below) > 1.0e-5f * dd ? clamp(above / below, 0.1f, 0.9f) : 0.5f;  // else all of it is a right angle away
   vec3 split = start + t * d;
   split = split / max(length(split), 1.0e-30f);
   bool firstLonger = dot(start, split) < dot(split, end);

@@ -1,7 +1,7 @@
-// The level a roughness is looked up in, by the curves renderers have used: 0 own, 1 unity, 2 linear, 3 exact, 4 marmoset,
-// 5 three-level (parameter `curve`). Only `own` is the inverse of how this project's levels are baked; the others show what it
-// looks like when bake and lookup disagree. All run from level 0 at roughness 0 to the last level at roughness 1.
-// Needs shared/roughness.glsl; the host supplies PROBE_MAP and fetchProbe.
+// The level for a roughness, by the curves of various renderers: 0 own, 1 unity, 2 linear, 3 exact, 4 marmoset, 5
+// three-level (parameter `curve`). Only `own` matches how this project's levels are filtered; the others show the
+// effect of a mismatch. All run from level 0 at roughness 0 to the last level at roughness 1. Needs
+// shared/roughness.glsl; the host supplies PROBE_MAP and fetchProbe.
 
 // Fraction of the chain for a roughness in [0, 1].
 float unityCurve(float p)
@@ -9,9 +9,9 @@ float unityCurve(float p)
   return p * (1.7f - 0.7f * p);
 }
 
-// What unityCurve approximates: the roughness whose Blinn-Phong exponent n = 2 / alpha² - 2 is a quarter as large, which makes up
-// for lobes that are filtered around R and not around the half vector. (2 / (n/4 + 2))^(1/4), multiplied out so that roughness 0
-// divides nothing by 0.
+// What unityCurve approximates: the roughness whose Blinn-Phong exponent n = 2 / alpha² - 2 is a quarter as large,
+// which compensates for lobes filtered around R instead of the half vector. (2 / (n/4 + 2))^(1/4), multiplied out so
+// that roughness 0 does not divide by 0.
 float exactCurve(float p)
 {
   float p4 = p * p * p * p;
@@ -29,8 +29,8 @@ float levelForCurve(ProbeShape probe, float roughness)
   return levelForRoughness(p, probe.maxLevel);
 }
 
-// One fetch; with the three-level curve two, for it knows the first, the middle and the last level only (0, 4 and 8 of a chain
-// of nine) and mixes between them.
+// One fetch; the three-level curve takes two, because it interpolates between the first, the middle and the last level
+// only (0, 4 and 8 of a chain of nine).
 vec4 fetchLevel(PROBE_MAP map, ProbeShape probe, vec3 direction, float level)
 {
   if (probe.parameters.curve == 5)

@@ -1,7 +1,7 @@
 // How light falls off, as KHR_lights_punctual recommends ("Range Property", "Inner and Outer Cone Angles").
 
-// `perRange`: 1 / range, 0 where the light reaches everywhere. Nearer than a millionth of a unit it gets no brighter, so that
-// a surface at a lamp has a colour.
+// `perRange`: 1 / range, 0 for unlimited lights. Constant below a millionth of a unit, so that a surface at the lamp
+// has a finite colour.
 float distanceFalloff(float distance, float perRange)
 {
   float share = min(distance * perRange, 1.0f);

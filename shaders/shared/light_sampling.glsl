@@ -1,10 +1,11 @@
-// Rays towards what is bright: directions drawn by the brightness of the probe's capture, as seen from the capture origin C, and
-// their density as seen from the shading point P. For lamps too small for the lobe's own samples to find. Needs shared/cube.glsl and
-// shared/slab.glsl; the host supplies, of a probe's light table (filters/math/cube/light_table.h), probeLightSize, the cells along a face, 0 without one, and
-// fetchProbeLight; and mapFromProbe and probeFromMap, which turn directions between the probe's axes and its map's.
+// Sampling of bright directions: drawn by the brightness of the probe's capture, as seen from the capture origin C,
+// with their density as seen from the shading point P. For lamps that are too small for the lobe's own samples. Needs
+// shared/cube.glsl and shared/slab.glsl; the host supplies, from a probe's light table
+// (filters/math/cube/light_table.h), probeLightSize (cells along a face, 0 without a table) and fetchProbeLight; and
+// mapFromProbe and probeFromMap, rotations between the probe's axes and its map's.
 
-// Can rays be aimed at what the map shows in a direction from C? At walls of the box from anywhere in it if C is in it too, and at the
-// infinitely far. `mirrored`: where R hits.
+// Can rays be aimed at what the map shows in a direction from C? Yes for walls of the box from anywhere inside, if C is
+// inside too, and for infinitely distant light. `mirrored`: the hit of R.
 bool lightAimable(ProbeShape probe, ShadingPoint point, ProbeHit mirrored)
 {
   if (mirrored.face < 0) { return mirrored.distance >= kNoHit && mirrored.direction == point.reflection; }
@@ -14,8 +15,9 @@ bool lightAimable(ProbeShape probe, ShadingPoint point, ProbeHit mirrored)
   return max(max(outside.x, outside.y), outside.z) <= 0.0f && max(max(origin.x, origin.y), origin.z) < 0.0f;
 }
 
-// Of draws along the ray that made `hit`, per steradian as seen from P: their density at C times the solid angle there by that at P
-// (footprint.glsl), of the wall alone that is hit. 0 for a hit that lies on no wall of the box, which draws do not reach.
+// The density of draws along the ray that made `hit`, per steradian as seen from P: the density at C times the ratio of
+// solid angles at C and P (footprint.glsl), for the wall that is hit. 0 for a hit that is not on a wall of the box,
+// which draws do not reach.
 float lightDensity(ProbeShape probe, ProbeHit hit, vec3 direction, int faceSize)
 {
   vec3 a = abs(hit.direction);
@@ -30,7 +32,7 @@ float lightDensity(ProbeShape probe, ProbeHit hit, vec3 direction, int faceSize)
     float along = abs(direction.x);
     if (hit.face / 2 == 1) { wall = direction.y < 0.0f ? -probe.boxMin.y : probe.boxMax.y; at = a.y; along = abs(direction.y); }
     if (hit.face / 2 == 2) { wall = direction.z < 0.0f ? -probe.boxMin.z : probe.boxMax.z; at = a.z; along = abs(direction.z); }
-    if (abs(at - wall) > 1.0e-5f * largest) { return 0.0f; }  // beyond the rounding of a hit, in units of its distance from C
+    if (abs(at - wall) > 1.0e-5f * largest) { return 0.0f; }  // beyond the rounding error of a hit, relative to its distance from C
     float ratio = min(hit.distance / (largest * lengthC), 1.0e6f);
     jacobian = ratio * ratio * (wall / (largest * lengthC)) / max(along, 1.0e-6f);
   }
@@ -38,7 +40,7 @@ float lightDensity(ProbeShape probe, ProbeHit hit, vec3 direction, int faceSize)
   return max(cell.z * lengthC * lengthC * lengthC * jacobian, 0.0f);
 }
 
-// A drawn direction from C, probe axes: `u` chooses the cell, `v` the place in it.
+// A drawn direction from C, probe axes: `u` selects the cell, `v` the place in it.
 vec3 lightDirection(ProbeShape probe, vec2 u, vec2 v, int faceSize)
 {
   int count = 6 * faceSize * faceSize;
@@ -52,15 +54,15 @@ vec3 lightDirection(ProbeShape probe, vec2 u, vec2 v, int faceSize)
   return probeFromMap(probe, cubeDirection(face, s, t));
 }
 
-// Did the ray towards a drawn direction hit what was drawn, and not something in front of it?
+// Did the ray towards a drawn direction reach it, without meeting something in front?
 bool lightReached(ProbeHit hit, vec3 fromC)
 {
   vec3 a = abs(hit.direction);
   vec3 off = normalize(hit.direction / max(max(a.x, a.y), max(a.z, 1.0e-37f))) - normalize(fromC);
-  return dot(off, off) < 1.0e-6f;  // a thousandth of a radian: far above rounding, far below a cell
+  return dot(off, off) < 1.0e-6f;  // a milliradian: far above rounding, far below a cell
 }
 
-// The direction from P towards what a draw points at: on the wall of the box, which holds C, or infinitely far away.
+// The direction from P to the target of a draw: on the wall of the box, which contains C, or infinitely far away.
 vec3 towardsLight(ProbeShape probe, vec3 position, vec3 fromC, bool far)
 {
   if (far) { return normalize(fromC); }

@@ -1,6 +1,6 @@
-// Two axes perpendicular to the middle of a lobe, in which the directions of its samples are given. Unlike the usual
-// frame with a switch of sign, which turns the pattern abruptly along the great circle z = 0 and leaves a line there
-// wherever the samples are too few, this one turns continuously everywhere but at the single point -Z.
+// Two axes perpendicular to the axis of a lobe, for the directions of its samples. The usual frame, with a switch of
+// sign, rotates the pattern abruptly at the great circle z = 0 and shows a line there if samples are few; this one is
+// continuous everywhere except at the point -Z.
 
 // Both axes share 1 / (1 + n.z). Written without the sum, which cancels towards -Z: (1 + z)(1 - z) = x² + y².
 float lobeFrameScale(vec3 n)

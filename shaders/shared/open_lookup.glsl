@@ -1,6 +1,6 @@
-// Where a lookup in a probe that is open to the sky looks out: xyz, from the surface to where the lookup meets the box, probe
-// frame; w, the perceptual roughness whose lobe is as wide there. `position`: of the surface, probe frame; `direction` and `level`:
-// of the lookup; `alpha`: of the surface, beyond which no part of its lobe is. Needs slab.glsl, roughness.glsl.
+// The sky's direction for a lookup in a probe that is open to the sky. xyz: from the surface to the lookup's hit on the
+// box, probe frame; w: the perceptual roughness with the same width there. `position`: of the surface, probe frame;
+// `direction` and `level`: of the lookup; `alpha`: of the surface, an upper bound. Needs slab.glsl, roughness.glsl.
 vec4 openLookup(ProbeShape probe, vec3 position, vec3 direction, float level, float alpha)
 {
   vec3 a = abs(direction);
@@ -10,7 +10,7 @@ vec4 openLookup(ProbeShape probe, vec3 position, vec3 direction, float level, fl
   float fromC = min(min(factors.x, factors.y), factors.z);
   vec3 away = fromC * unit - position;
   float fromP = length(away);
-  // A capture origin outside of its box, or a surface in the opening itself: the lookup's own direction is as good as any.
+  // A capture origin outside its box, or a surface in the opening itself: uses the lookup's own direction.
   if (fromC <= 0.0f || fromC >= 1.0e18f || fromP <= 1.0e-6f * fromC) { return vec4(unit.x, unit.y, unit.z, sqrt(alpha)); }
   vec3 onFace = vec3(factors.x <= fromC ? 1.0f : 0.0f, factors.y <= fromC ? 1.0f : 0.0f, factors.z <= fromC ? 1.0f : 0.0f);
   vec3 along = away / fromP;

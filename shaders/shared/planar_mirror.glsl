@@ -1,18 +1,18 @@
-// What a planar mirror shows of objects that move: a lookup in the picture that a mirrored camera has taken of them (premultiplied
-// colour with coverage; height over the mirror's plane times coverage). A smooth, flat mirror needs one fetch. For the rest the lobe is
-// sampled: each ray goes as far as what it is going to meet is high, and is looked up where the mirrored camera sees that place, at the
-// level whose texels are as large as what the ray stands for. So reflections are sharp where an object touches the mirror, soften with
-// its height, and stretch at grazing angles. The host supplies fetchMirrorColor and fetchMirrorHeight(look, uv, level), transparent black
-// outside of the picture.
+// A planar mirror's reflection of moving objects: samples the picture of a mirrored camera (premultiplied colour with
+// coverage; height over the mirror's plane times coverage). A smooth, flat mirror needs one fetch. Otherwise the lobe
+// is sampled: each ray extends to the height of the object it will meet, and is sampled where the mirrored camera sees
+// that place, at the level whose texels match the ray's share of the lobe. So reflections are sharp where an object
+// touches the mirror, soften with its height, and stretch at grazing angles. The host supplies fetchMirrorColor and
+// fetchMirrorHeight(look, uv, level), transparent black outside the picture.
 
-// So narrow a lobe that it lies within a texel of the picture.
+// Narrower lobes are within a texel of the picture.
 const float kMirrorFlat = 1.0e-3f;
-// Rays of a rough mirror's lobe: enough that the texels they are looked up in overlap.
+// Rays for a rough mirror's lobe: enough that the texels of their lookups overlap.
 const int kMirrorRays = 16;
-// Least cosine between ray and mirror's normal: below it what is met is farther than 100 times its height, at the horizon.
+// Minimum cosine between ray and mirror's normal: below it the hit is more than 100 times its height away.
 const float kMirrorGrazing = 1.0e-2f;
 
-// Where the mirrored camera sees a place; outside of the picture for what lies behind it.
+// Where the mirrored camera sees a place; outside the picture for places behind it.
 vec2 mirrorPlace(MirrorLook look, vec3 position)
 {
   vec4 p = vec4(position, 1.0f);
@@ -20,7 +20,7 @@ vec2 mirrorPlace(MirrorLook look, vec3 position)
   return w > 1.0e-20f ? vec2(dot(look.toU, p) / w, dot(look.toV, p) / w) : vec2(-2.0f, -2.0f);
 }
 
-// The level whose texels have the size, at `met`, of a cone of `solidAngle` that starts `distance` away from there.
+// The level whose texels match, at `met`, a cone of `solidAngle` that starts `distance` away from it.
 float mirrorLevel(MirrorLook look, vec3 met, float distance, float solidAngle)
 {
   vec3 away = met - look.eye;
@@ -30,17 +30,17 @@ float mirrorLevel(MirrorLook look, vec3 met, float distance, float solidAngle)
   return clamp(0.5f * log2(max(solidAngle * wide * wide, 1.0e-6f)), look.sharpLevel, look.maxLevel);
 }
 
-// Is anything that moves near what the lobe can reach, from the mirror itself to the farthest height? One fetch from a level whose texels
-// are as large as all of that: coverage is never below 0, so that a mean of 0 means none. Rays are drawn by a loop that then has no
-// passes: software renderers skip those, not branches.
+// Is a moving object near the range of the lobe, from the mirror to the maximum height? One fetch from a level whose
+// texels cover that range: coverage is never negative, so a mean of 0 means none. The loop over rays then has no
+// iterations, which software renderers skip, unlike branches.
 bool mirrorReaches(MirrorLook look, vec3 position, vec3 reflection, float alpha)
 {
   float far = look.farHeight / max(dot(reflection, look.normal), kMirrorGrazing);
   vec3 end = position + far * reflection;
   vec2 first = mirrorPlace(look, position);
   vec2 last = mirrorPlace(look, end);
-  if (last.x < -1.5f) { return true; }  // reaches behind the mirrored eye: not known
-  // Texels: half the way, and three times the lobe's half width, which leaves a few thousandths of it out.
+  if (last.x < -1.5f) { return true; }  // reaches behind the mirrored eye: unknown
+  // In texels: half of the way, and three times the lobe's half width, which omits a few thousandths of it.
   vec3 away = end - look.eye;
   float scale = look.parallel > 0.5f ? 1.0f : length(away);
   float lobe = 3.0f * alpha * far / max(look.texelSize * scale, 1.0e-30f);
@@ -49,7 +49,7 @@ bool mirrorReaches(MirrorLook look, vec3 position, vec3 reflection, float alpha)
   return level > look.maxLevel || fetchMirrorColor(look, 0.5f * (first + last), level).w > 0.0f;
 }
 
-// How high what the reflected ray meets is, in parts of farHeight: searched from the farthest inwards, with the whole lobe's width.
+// The relative height of what the reflected ray meets: searched from the farthest inwards, with the whole lobe's width.
 float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidAngle, int steps)
 {
   float along = max(dot(reflection, look.normal), kMirrorGrazing);
@@ -64,13 +64,13 @@ float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidA
   return height;
 }
 
-// Rays for a lobe that covers texels of `level`: one where it lies within a texel.
+// The number of rays for a lobe that covers texels of `level`: one if it is within a texel.
 int mirrorRays(float level)
 {
   return level < 0.25f ? 1 : min(int(6.0f * exp2(level)), kMirrorRays);
 }
 
-// Fetches of the lookup below.
+// Number of fetches in the lookup below.
 int mirrorFetches(MirrorLook look, vec3 position, vec3 normal, vec3 view, float roughness)
 {
   if (roughness < kMirrorFlat) { return 1.0f - dot(normal, look.normal) < 1.0e-6f ? 1 : 4; }
@@ -82,7 +82,7 @@ int mirrorFetches(MirrorLook look, vec3 position, vec3 normal, vec3 view, float 
   return 4 + mirrorRays(mirrorLevel(look, position + distance * reflection, distance, solidAngle));
 }
 
-// Premultiplied light and coverage, the mean over the lobe. All relative to the eye, world axes.
+// Premultiplied light and coverage, averaged over the lobe. All relative to the eye, world axes.
 vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float roughness)
 {
   float bent = 1.0f - dot(normal, look.normal);
@@ -90,7 +90,7 @@ vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float
 
   vec3 reflection = reflectedView(normal, view);
   float alpha = roughness * roughness;
-  // The solid angle of GGX around its middle: 1 / density there.
+  // The effective solid angle of GGX: 1 / density at its axis.
   float whole = 12.5663706f * alpha * alpha;
   float along = max(dot(reflection, look.normal), kMirrorGrazing);
   bool flatLobe = roughness < kMirrorFlat;
@@ -101,7 +101,8 @@ vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float
   int rays = searched == 0 ? 0 : flatLobe ? 1 : mirrorRays(level);
   if (rays == 1) { return fetchMirrorColor(look, mirrorPlace(look, middle), level); }
 
-  // Visible normals by the spherical cap (Dupuy and Benyoub 2023), in the frame of the normal with V in the plane of x and z.
+  // Visible normals by spherical caps (Dupuy and Benyoub 2023), in the frame of the normal with V in the plane of x and
+  // z.
   float nv = clamp(dot(normal, view), 1.0e-4f, 1.0f);
   vec3 side = view - normal * dot(normal, view);
   float s = length(side);
@@ -115,7 +116,7 @@ vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float
   float weights = 0.0f;
   for (int i = 0; i < rays; ++i)
   {
-    // A spiral of golden angles, the same in every pixel: what lies between two rays the levels fill.
+    // A golden-angle spiral, the same in every pixel: mip levels fill the gaps between rays.
     float turn = 2.39996323f * float(i);
     float cap = (float(i) + 0.5f) / float(rays) * (1.0f + stretched.z);
     float radius = sqrt(cap * max(2.0f - cap, 0.0f));

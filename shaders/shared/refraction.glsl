@@ -1,23 +1,24 @@
-// Light through glass: Fresnel and Snell at a surface, and the way through an object by its shell. Needs glass_types.glsl; the host
-// supplies fetchGlassShell. `eta` is n1 / n2 with n1 on the side that is looked from, as GLSL's refract wants it. Knows no probe.
+// Light through glass: Fresnel and Snell at a surface, and the path through an object by its shell. Needs
+// glass_types.glsl; the host supplies fetchGlassShell. `eta` is n1 / n2 with n1 on the viewer's side, as for GLSL's
+// refract.
 //
 // Sources: Born and Wolf, Principles of Optics, 1.5 (Fresnel); Walter et al. 2007 (rough refraction, whose small-angle spread
 // refractionSpread is); Beer's law as KHR_materials_volume writes it.
 
-// Beyond this a medium is a mirror to single precision; squares of the inverse stay finite.
+// Beyond this a medium is a mirror in single precision; squares of the inverse stay finite.
 float safeEta(float eta)
 {
   return clamp(eta, 1.0e-6f, 1.0e6f);
 }
 
-// Squared cosine on the far side, 1 - eta² (1 - cosine²); negative: totally reflected. In this order it is the cosine's square
-// itself at eta 1, however flat the view: the other loses it to rounding, and an index of 1 would mirror at its outline.
+// Squared cosine on the far side, 1 - eta² (1 - cosine²); negative: total reflection. In this order it is exactly the
+// squared cosine for eta 1 at any angle; in the other order rounding would make an index of 1 reflect at its outline.
 float refractedCosine2(float cosine, float eta)
 {
   return (1.0f - eta * eta) + eta * eta * (cosine * cosine);
 }
 
-// Share that is reflected, unpolarised, of light at `cosine` to the normal.
+// Unpolarised reflectance at `cosine` to the normal.
 float dielectricReflectance(float cosine, float eta)
 {
   float e = safeEta(eta);
@@ -25,19 +26,19 @@ float dielectricReflectance(float cosine, float eta)
   float t2 = refractedCosine2(c, e);
   if (t2 < 0.0f) { return 1.0f; }
   float t = sqrt(t2);
-  // Both are 0 only at a grazing view of nothing (eta 1), which reflects nothing.
+  // Both are 0 only at grazing incidence with eta 1, which reflects nothing.
   float s = (e * c - t) / max(e * c + t, 1.0e-20f);
   float p = (c - e * t) / max(c + e * t, 1.0e-20f);
   return clamp(0.5f * (s * s + p * p), 0.0f, 1.0f);
 }
 
-// Of a plane sheet: both of its faces and all that is mirrored between them (the geometric series of R).
+// Reflectance of a plane sheet: both of its faces and all internal reflections (the geometric series of R).
 float sheetReflectance(float reflectance)
 {
   return 2.0f * reflectance / (1.0f + reflectance);
 }
 
-// Where the view goes on beyond the surface; 0 where it is totally reflected. A normal that faces away from the eye bends nothing.
+// The refracted view; 0 for total reflection. A normal that faces away from the eye does not refract.
 vec3 refractedView(vec3 normal, vec3 view, float eta)
 {
   float e = safeEta(eta);
@@ -51,26 +52,27 @@ vec3 refractedView(vec3 normal, vec3 view, float eta)
   return size > 1.0e-6f ? direction / size : -view;
 }
 
-// How far a normal that is off by a little turns the refracted ray, beside the mirrored one, which turns twice as far: mean of the
-// two directions across it. `cosine` on the near side, `far` beyond.
+// The deflection of the refracted ray by a small deviation of the normal, relative to that of the reflected ray, which
+// is twice the deviation: mean of the two directions across it. `cosine` on the near side, `far` on the far side.
 float refractionSpread(float cosine, float far, float eta)
 {
-  // Near the critical angle it grows without bound, and the lobe is no longer one: 0.1 keeps it within three times the middle's.
+  // Near the critical angle it diverges, and the lobe is no longer a lobe: 0.1 keeps it within three times that at the
+  // axis.
   return 0.5f * abs(far - safeEta(eta) * cosine) / sqrt(max(far, 0.1f));
 }
 
-// Share of white light left after `distance`, of which `color` is left after `reach`; reach 0: nothing is absorbed.
+// Transmittance after `distance` for a medium that leaves `color` after `reach`; reach 0: no absorption.
 vec3 glassTransmittance(vec3 color, float reach, float distance)
 {
-  // A channel of 0 would be 0^0 at the surface itself.
+  // A channel of 0 would give 0^0 at the surface itself.
   vec3 c = clamp(color, vec3(1.0e-6f), vec3(1.0f));
   return reach > 0.0f ? pow(c, vec3(min(max(distance, 0.0f) / max(reach, 1.0e-18f), 1.0e4f))) : vec3(1.0f);
 }
 
-// Distance from a point within the shell along `direction` to where it is left, and in `xyz` the normal there, outward. A texel of the
-// shell is the plane of the surface seen there. The sphere around it all is left too far out, where a plane of the shell lies before
-// the point: each step goes back to the plane found there. Of a convex shell the true exit is never passed. The normal is that of the
-// plane that was met last, not of the texel it was met in: between two faces the texels' mean belongs to neither.
+// Distance from a point inside the shell along `direction` to the exit, and in `xyz` the outward normal there. A texel
+// of the shell is the plane of the surface seen there. Starts at the bounding sphere, beyond the exit; each step goes
+// back to the plane found at the current point. For a convex shell it never passes the true exit. The normal is that of
+// the last plane, not of the texel: between two faces interpolated texels match neither.
 vec4 shellExit(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 direction)
 {
   const int kSteps = 6;
@@ -84,7 +86,7 @@ vec4 shellExit(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 directi
     vec3 n = vec3(plane.x, plane.y, plane.z);
     float rise = dot(n, direction);
     float gap = max(plane.w - dot(n, p), 0.0f);
-    // A plane along the ray tells nothing: 1e-4 of its normal's length.
+    // A plane parallel to the ray gives no exit: below 1e-4 of its normal's length.
     if (rise > 1.0e-4f && (gap < t * rise || i == 0))
     {
       t = min(gap / rise, t);
@@ -95,8 +97,8 @@ vec4 shellExit(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 directi
   return vec4(size > 1.0e-6f ? normal / size : direction, t);
 }
 
-// A ray within the object until it is let out: each time it is totally reflected it goes on inside. `alpha` is what the surface has
-// scattered it by so far, within.
+// Follows a ray inside the object until it exits; total reflection keeps it inside. `alpha`: the surface's scattering
+// so far, inside.
 GlassRay followGlass(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 direction, float alpha, float roughAlpha)
 {
   const int kMost = 4;
@@ -113,7 +115,7 @@ GlassRay followGlass(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 d
     ray.position = ray.position + leave.w * ray.direction;
     ray.distance = ray.distance + leave.w;
     float c = min(dot(normal, ray.direction), 1.0f);
-    // It has left where it came in, past an edge that the shell has rounded off: nothing bends it.
+    // It has left where it entered, past an edge that the shell has rounded off: no refraction.
     if (!(c > 0.0f)) { return ray; }
     float far2 = refractedCosine2(c, safeEta(glass.ior));
     if (far2 > 0.0f || i + 1 == kMost)
@@ -121,7 +123,7 @@ GlassRay followGlass(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 d
       if (far2 > 0.0f)
       {
         float far = sqrt(far2);
-        // What was scattered within leaves the wider the flatter it leaves (Snell's law, differentiated).
+        // Scattering inside widens at flat exit angles (derivative of Snell's law).
         float wider = ray.alpha * min(glass.ior * c / max(far, 0.1f), 4.0f);
         float own = roughAlpha * refractionSpread(c, far, glass.ior);
         ray.alpha = min(sqrt(wider * wider + own * own), 1.0f);
@@ -129,7 +131,7 @@ GlassRay followGlass(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 d
       }
       return ray;
     }
-    // Mirrored within: a rough surface scatters what it mirrors, too.
+    // Internal reflection: a rough surface also scatters the reflection.
     ray.direction = ray.direction - 2.0f * c * normal;
     ray.alpha = min(sqrt(ray.alpha * ray.alpha + roughAlpha * roughAlpha), 1.0f);
     ray.mirrored = ray.mirrored + 1;
@@ -137,8 +139,8 @@ GlassRay followGlass(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 d
   return ray;
 }
 
-// What a pixel of glass looks through and, from within, mirrors. `normal` is turned towards the eye; `back`: it is the inside that the
-// eye sees; `eye` its distance.
+// The transmitted view of a pixel of glass and, from inside, the reflected one. `normal` points towards the eye;
+// `back`: the eye sees the inner side; `eye`: its distance.
 GlassView lookThroughGlass(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 normal, vec3 view, float roughness, bool back,
                            float eye)
 {
@@ -159,7 +161,7 @@ GlassView lookThroughGlass(GLASS_SHELL shell, GlassObject glass, vec3 position, 
   seen.mirrored = seen.through;
   if (glass.sheet)
   {
-    // Two faces, one outside the other, rough each for itself: sqrt(2) of one, and magnified by n on the way out.
+    // Two rough faces, one behind the other: sqrt(2) times one, and magnified by n on exit.
     float within = dielectricReflectance(c, 1.0f / safeEta(glass.ior));
     seen.reflectance = sheetReflectance(within);
     float inside = sqrt(max(refractedCosine2(c, 1.0f / safeEta(glass.ior)), 0.0f));
@@ -187,14 +189,14 @@ GlassView lookThroughGlass(GLASS_SHELL shell, GlassObject glass, vec3 position, 
     seen.through = followGlass(shell, glass, position, direction, seen.through.alpha, roughAlpha);
     return seen;
   }
-  // Published forms bend once. A rough solid scatters at its second face as well: as a sheet does.
+  // Published forms refract once. A rough solid also scatters at its second face, as a sheet does.
   float behind = refractionSpread(far, c, glass.ior);
   seen.through.alpha = min(1.41421356f * roughAlpha * behind, 1.0f);
   return seen;
 }
 
-// How far what is looked through lies from the straight view, as an angle: turned, moved aside (in radii of the object), scattered.
-// Light that goes straight on shows what is drawn behind, which no cubemap has as sharp.
+// The deviation of the transmitted light from the straight view, as an angle: refraction, displacement (in radii of the
+// object), scattering. Straight light shows the frame behind, which is sharper than any cubemap.
 float glassDeviation(GlassObject glass, GlassRay ray, vec3 position, vec3 view)
 {
   vec3 away = ray.position - position;

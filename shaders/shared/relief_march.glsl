@@ -1,12 +1,14 @@
-// A ray followed through a probe's relief (filters/math/cube/relief.h), block by block, as Hi-Z tracing follows one through a depth
-// buffer and light field probes (McGuire et al. 2017) through their distances. Within a face of the cube, reciprocal depth is linear along
-// the ray and across a plane, so that a block of texels is bounded by planes, not by distances: a flat wall is one block, met exactly,
-// however steeply the probe saw it. Each step is one sample:
-//   a block that the ray passes in front of is left behind, and the next one is twice as large;
-//   where the ray may go behind what a block shows, that is looked at by a quarter of it; a flat block has the hit;
-//   a ray that is behind as it comes into a block has passed a silhouette. It is hidden until it comes out again, or is within
-//   what it is behind: that goes on as deep behind the side that was seen, straight back from it, as a pillar does.
-// The host supplies fetchProbeRelief, probeReliefSize and reliefFromProbe: the box may be turned against the map.
+// Marches a ray through a probe's relief (filters/math/cube/relief.h), block by block, as Hi-Z tracing does in a depth
+// buffer and light field probes (McGuire et al. 2017) in their distances. Within a face of the cube, reciprocal depth
+// is linear along the ray and across a plane, so blocks of texels are bounded by planes instead of distances: a flat
+// wall is a single block, met exactly, however obliquely the probe saw it. Each step takes one sample:
+//
+// A block that the ray passes in front of is skipped, and the next one is twice as large. Where the ray may pass behind
+// a block's surface, a quarter of the block is examined; a flat block contains the hit. A ray that is behind as it
+// enters a block has passed a silhouette: it is hidden until it emerges, or is inside the occluder, which is assumed to
+// extend behind the visible side, straight back like a pillar.
+//
+// The host supplies fetchProbeRelief, probeReliefSize and reliefFromProbe: the box may be rotated against the map.
 #ifndef BP_MARCH
 #define BP_MARCH 1
 #endif
@@ -14,23 +16,23 @@
 
 struct ReliefMarch
 {
-  float met;   // along the ray, where it meets what the probe saw; negative: nowhere
-  float lost;  // where it was last seen before it went behind something; negative: it is seen
-  float way;   // as far as it was followed
+  float met;  // distance along the ray to the hit on what the probe saw; negative: none
+  float lost;  // where it was last visible before it went behind something; negative: visible
+  float way;  // how far it was followed
 };
 
-// `start`, `farthest`: along the unit vector `reflection`, scene units; nothing is known to stand before `start`.
+// `start`, `farthest`: along the unit vector `reflection`, scene units; there must be nothing before `start`.
 ReliefMarch marchRelief(ProbeShape probe, vec3 position, vec3 reflection, float start, float farthest, float steps)
 {
   const int kMost = 256;
-  const float kFlat = 0.01f;    // of the depth: slack of a block that counts as one plane
-  const float kOn = 1.0e-3f;    // of the distance: nearer is on the surface
-  const float kPassed = 0.02f;  // of the distance: so far behind at a block's border, a silhouette was passed
-  const float kDeep = 0.3f;     // of the distance: so deep are things thought to be
-  const float kSame = 0.02f;    // of the distance: nearer to a plane is on it
-  const float kInto = 0.01f;    // texels that a step goes into the next block: rounding must not keep it
-  const float kBeside = 1.5f;   // texels before a silhouette, what is behind it is seen unmixed
-  const float kCells = 32.0f;   // along a face: blocks to begin with
+  const float kFlat = 0.01f;  // of the depth: maximum slack of a block that counts as a plane
+  const float kOn = 1.0e-3f;  // of the distance: nearer is on the surface
+  const float kPassed = 0.02f;  // of the distance: further behind at a block's border, a silhouette was passed
+  const float kDeep = 0.3f;  // of the distance: assumed depth of objects
+  const float kSame = 0.02f;  // of the distance: nearer to a plane is on it
+  const float kInto = 0.01f;  // texels that a step goes into the next block, so that rounding does not keep it back
+  const float kBeside = 1.5f;  // texels from a silhouette within which the surface behind is used unmixed
+  const float kCells = 32.0f;  // along a face: the initial blocks
 
   ReliefMarch march;
   march.met = -1.0f;
@@ -51,7 +53,7 @@ ReliefMarch marchRelief(ProbeShape probe, vec3 position, vec3 reflection, float 
     vec3 x = p + t * r;
     vec4 bound = fetchProbeRelief(probe, x, level);
 
-    // Turned so that the block's face is z = 1.
+    // Rotated so that the block's face is z = 1.
     vec3 a = abs(x);
     vec3 q = x;
     vec3 d = r;
@@ -69,7 +71,7 @@ ReliefMarch marchRelief(ProbeShape probe, vec3 position, vec3 reflection, float 
     float depth = max(side * q.z, 1.0e-30f);
     float deepens = side * d.z;
 
-    // The way to the two borders of the block that the ray moves towards; never, if it turns too little.
+    // Distances to the two borders of the block towards which the ray moves; none if it turns too little.
     float cells = floor(size * exp2(-level) + 0.5f);
     float turnX = d.x * depth - q.x * deepens;
     float turnY = d.y * depth - q.y * deepens;
@@ -87,11 +89,12 @@ ReliefMarch marchRelief(ProbeShape probe, vec3 position, vec3 reflection, float 
     float line = wayX < wayY ? lineX : lineY;
     float way = min(min(wayX, wayY), farther);
     float depthOut = depth + way * deepens;
-    // Along the ray, what a texel is here and at the border.
+    // The size of a texel along the ray, here and at the border.
     float texel = 2.0f / (size * max(max(abs(turnX), abs(turnY)), 1.0e-30f));
     float next = t + way + kInto * texel * depthOut * depthOut;
 
-    // In front of the nearest and of the farthest that the block may show, here and at the border; of the distance.
+    // Distance in front of the nearest and farthest surface of the block, here and at the border; relative to the
+    // distance.
     float slack = level > 0.5f ? bound.w : 0.0f;
     bool flatBlock = slack * depth < kFlat;
     float speed = -dot(vec3(bound.x, bound.y, bound.z), r);
@@ -103,7 +106,7 @@ ReliefMarch marchRelief(ProbeShape probe, vec3 position, vec3 reflection, float 
     if (flatBlock && behind && under >= 0.0f) { behind = false; }
     if (flatBlock && !behind && ahead < -kPassed)
     {
-      // Hidden at the start already: where it was lost is nearer.
+      // Hidden from the start: it was lost nearer.
       if (fresh)
       {
         fresh = false;
@@ -117,7 +120,7 @@ ReliefMarch marchRelief(ProbeShape probe, vec3 position, vec3 reflection, float 
     bool clear = behind ? under < 0.0f && underOut < 0.0f : ahead >= -kOn && aheadOut >= -kOn;
     if (clear && behind && flatBlock && ahead > -kDeep && float(i) + used + 1.0f < steps)
     {
-      // Straight before it on the plane: is that of the side that was seen?
+      // Straight in front of it on the plane: is this the visible side?
       vec3 plane = vec3(bound.x, bound.y, bound.z);
       vec3 shade = x + (ahead / max(dot(plane, plane), 1.0e-30f)) * plane;
       vec4 there = fetchProbeRelief(probe, shade, 0.0f);
@@ -137,18 +140,18 @@ ReliefMarch marchRelief(ProbeShape probe, vec3 position, vec3 reflection, float 
         break;
       }
       t = next;
-      // Blocks four times as large only where one begins.
+      // Four times larger blocks only where one starts.
       if (line - 2.0f * floor(0.5f * line) < 0.5f) { level = min(level + 1.0f, top); }
     }
     else
     {
-      // As far as the bound is kept to.
+      // To where the bound is exceeded.
       float from = behind ? under : ahead;
       float to = behind ? underOut : aheadOut;
       if (from * to < 0.0f) { t = t + way * from / (from - to); }
       if (flatBlock)
       {
-        // Out of something through a side that the probe saw: it went in unseen. That side is the next best.
+        // Emerges through a side that the probe saw, after entering unseen: that side is the best estimate.
         march.met = t;
         break;
       }

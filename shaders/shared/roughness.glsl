@@ -1,8 +1,6 @@
-// Which prefiltered level a roughness is looked up in, and which roughness a level was baked for: inverse of each other.
-//
-// A texel of level l is 2^l times as wide as one of level 0. The mapping makes the lobe grow with it: alpha =
-// roughness² rises as (2^l - 1), from 0 at level 0 (the capture itself) to 1 at the last level, so that every level
-// resolves its lobe equally well.
+// Conversion between roughness and prefiltered level, in both directions. A texel of level l is 2^l times as wide as
+// one of level 0. The mapping makes the lobe grow with it: alpha = roughness² rises as (2^l - 1), from 0 at level 0
+// (the capture itself) to 1 at the last level, so every level resolves its lobe equally well.
 
 float roughnessForLevel(float level, float maxLevel)
 {

@@ -1,9 +1,9 @@
-// Cloth: the lobe of fibres that stand off the surface, brightest where it is seen at a flat angle. Distribution and masking of Estevez
-// and Kulla 2017, "Production Friendly Microfacet Sheen BRDF", as KHR_materials_sheen has them. Cosines are with the surface's normal.
+// Sheen: the lobe of cloth fibres, brightest at grazing angles. Distribution and masking of Estevez and Kulla 2017,
+// "Production Friendly Microfacet Sheen BRDF", as in KHR_materials_sheen. Cosines are with the surface's normal.
 
 float sheenAlpha(float roughness)
 {
-  // Less would be a lobe narrower than anything resolves: 0.07 is a hundredth of the light's angle.
+  // Lower values give a lobe too narrow to resolve: 0.07 is a hundredth of the light's angle.
   float r = max(roughness, 0.07f);
   return r * r;
 }
@@ -41,8 +41,8 @@ float sheenLobe(float nDotH, float nDotV, float nDotL, float roughness)
   return sheenDistribution(nDotH, alpha) * clamp(1.0f / max(masked, 1.0e-6f), 0.0f, 1.0f);
 }
 
-// Share of even light that the lobe sends to an eye at `nDotV`, at most 1: a fit to its integral, 0.006 off on average, 0.04 at most
-// where the cosine is above 0.02.
+// Albedo of the lobe at `nDotV`, at most 1: a fit to its integral with a mean error of 0.006, at most 0.04 for cosines
+// above 0.02.
 float sheenAlbedo(float nDotV, float roughness)
 {
   float x = sqrt(clamp(nDotV, 0.0f, 1.0f));
@@ -55,7 +55,7 @@ float sheenAlbedo(float nDotV, float roughness)
   return min(exp2(1.44269504f * (c0 + x * (c1 + x * (c2 + x * (c3 + x * c4))))), 1.0f);
 }
 
-// Share of the light that the sheen leaves to what lies under it (KHR_materials_sheen, albedo scaling).
+// Fraction of light that passes the sheen to the layers below (KHR_materials_sheen, albedo scaling).
 float underSheen(vec3 color, float nDotV, float roughness)
 {
   return 1.0f - max(color.x, max(color.y, color.z)) * sheenAlbedo(nDotV, roughness);

@@ -1,8 +1,9 @@
-// Colours of a thin film on a surface: light that both of its faces reflect interferes (Belcour and Barla 2017, "A Practical Extension
-// to Microfacet Theory for the Modeling of Varying Iridescence"), with the numbers of KHR_materials_iridescence.
+// Colours of a thin film on a surface: interference of the reflections at both of its faces (Belcour and Barla 2017, "A
+// Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence"), with the constants of
+// KHR_materials_iridescence.
 
-// What an eye's three kinds of cone make of the spectrum that a path `difference` (nanometres) and a phase shift leave, as linear RGB: the
-// CIE's curves as Gaussians, which have closed transforms.
+// Linear RGB of the spectrum that results from a path `difference` (nanometres) and a phase shift: the CIE's curves as
+// Gaussians, whose transforms have closed forms.
 vec3 filmSensitivity(float difference, vec3 shift)
 {
   float phase = 6.28318531e-9f * difference;
@@ -25,10 +26,11 @@ float filmF0(float to, float from)
   return r * r;
 }
 
-// Reflectance at `cosine` of a film of index `ior` and `thickness` (nanometres) in air, on a base that reflects `base` straight on.
+// Reflectance at `cosine` of a film of index `ior` and `thickness` (nanometres) in air, on a base with reflectance
+// `base` at normal incidence.
 vec3 filmReflectance(vec3 base, float ior, float thickness, float cosine)
 {
-  // A film that vanishes has no index of its own.
+  // A film of zero thickness has no index.
   float there = clamp(thickness / 0.03f, 0.0f, 1.0f);
   float film = mix(1.0f, ior, there * there * (3.0f - 2.0f * there));
   float within2 = 1.0f - (1.0f - cosine * cosine) / (film * film);
@@ -46,7 +48,7 @@ vec3 filmReflectance(vec3 base, float ior, float thickness, float cosine)
   vec3 shift = vec3(turnedOuter) + vec3(baseIor.x < film ? pi : 0.0f, baseIor.y < film ? pi : 0.0f, baseIor.z < film ? pi : 0.0f);
   float difference = 2.0f * film * thickness * within;
 
-  // The series over how often light goes back and forth within the film, cut after two.
+  // The series over the number of internal reflections, cut after two.
   vec3 both = clamp(outer * inner, vec3(1.0e-5f), vec3(0.9999f));
   vec3 amplitude = sqrt(both);
   float passed = 1.0f - outer;
@@ -60,7 +62,7 @@ vec3 filmReflectance(vec3 base, float ior, float thickness, float cosine)
   return max(sum, vec3(0.0f));
 }
 
-// The reflectance straight on that Schlick's curve leads to `reflectance` at `cosine` from.
+// The reflectance at normal incidence from which Schlick's curve gives `reflectance` at `cosine`.
 vec3 filmNormalReflectance(vec3 reflectance, float cosine)
 {
   float edge = min(pow(1.0f - cosine, 5.0f), 0.9999f);

@@ -1,21 +1,22 @@
-// Where a ray really hits the scene, as far as the probe saw it: the ray is followed through the probe's distance cubemap, which
-// holds the distance from the capture origin to what was seen in each direction, 0 where nothing was. For judging techniques,
-// not for drawing: it costs dozens of fetches. What the origin cannot see it cannot know: a wall hidden from it is missed.
-// Needs shared/cube.glsl; the host supplies DISTANCE_MAP and fetchDistance (the nearest texel, not interpolated).
+// The true hit of a ray as far as the probe saw the scene: follows the ray through the probe's distance cubemap
+// (distances from the capture origin, 0 where nothing was seen). For judging techniques, not for drawing: it takes
+// dozens of fetches. Surfaces hidden from the origin are missed. Needs shared/cube.glsl; the host supplies DISTANCE_MAP
+// and fetchDistance (the nearest texel, not interpolated).
 
-// How far beyond what the probe saw in its direction a point lies; negative: in free space. Nothing seen: free for ever.
+// How far a point is behind what the probe saw in its direction; negative: in free space. Where nothing was seen space
+// is free.
 float trueHitDepth(DISTANCE_MAP map, ProbeShape probe, vec3 position)
 {
   float seen = fetchDistance(map, probe, position);
   return seen > 0.0f ? length(position) - seen : -1.0f;
 }
 
-// A hit taken from one texel: distance along the ray to the plane through the texel and two of its neighbours.
+// A hit from one texel: distance along the ray to the plane through the texel and two of its neighbours.
 struct TexelHit
 {
   float distance; // along the ray
-  bool onPlane;   // the plane is met within the texel: exact if the wall is flat
-  bool start;     // the plane is the one the ray starts from: no hit
+  bool onPlane;  // the plane is met within the texel: exact for a flat wall
+  bool start;  // the plane from which the ray starts: no hit
 };
 
 TexelHit texelHit(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float near)
@@ -47,19 +48,19 @@ TexelHit texelHit(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 posit
   vec3 hit = position + t * reflection;
   vec3 a = abs(hit);
   vec3 off = hit / max(max(a.x, a.y), max(a.z, 1.0e-37f)) - c;
-  // A plane through texels of two surfaces meets the ray somewhere else: then the texel itself has the word.
+  // A plane through texels of two surfaces meets the ray elsewhere: then the texel itself is used.
   result.onPlane = t > 0.0f && max(max(abs(off.x), abs(off.y)), abs(off.z)) < 1.5f * step;
   if (result.onPlane) { result.distance = t; }
   return result;
 }
 
-// Distance along the unit vector `reflection` from `position` (probe frame) to the first surface; kNoHit if there is none
-// within `reach`. On a plane, away from its silhouette, exact to rounding for any face size.
+// Distance along the unit vector `reflection` from `position` (probe frame) to the first surface; kNoHit if there is
+// none within `reach`. On a plane, away from its silhouette, exact up to rounding for any face size.
 float trueHitDistance(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach)
 {
   const int kSteps = 64;
   const int kHalvings = 12;
-  const float kThick = 1.0f; // texels: as far behind a surface that is no plane as its own relief explains
+  const float kThick = 1.0f;  // texels: how far behind a curved surface its own shape explains
   bool inFront = false;
   float before = 0.0f;
   for (int i = 1; i <= kSteps; ++i)
@@ -76,11 +77,11 @@ float trueHitDistance(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 p
         if (trueHitDepth(map, probe, position + middle * reflection) >= 0.0f) { high = middle; } else { low = middle; }
       }
       TexelHit hit = texelHit(map, probe, faceSize, position, reflection, high);
-      // A ray leaves the surface it starts from slowly: in the steps of texels it may seem to dip below it again.
+      // A ray leaves its start surface slowly: in steps of texels it may seem to pass below it again.
       if (!hit.start)
       {
         if (hit.onPlane) { return hit.distance; }
-        // Not met but passed behind: whatever the ray hits from here on is hidden from the capture origin.
+        // Passed behind without a hit: whatever the ray meets from here on is hidden from the capture origin.
         vec3 end = position + high * reflection;
         return trueHitDepth(map, probe, end) < kThick * length(end) * 2.0f / faceSize ? hit.distance : kNoHit;
       }

@@ -1,6 +1,6 @@
-// The lobe a rough surface reflects into, drawn sample by sample: half vectors of GGX that are visible from V, by the spherical cap
-// (Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"): where the surface is stretched to roughness 1, mirrored
-// directions fill a cap of the sphere evenly. Needs shared/footprint.glsl for the lobe's frame.
+// Samples the lobe of a rough surface: half vectors of GGX visible from V, by spherical caps (Dupuy and Benyoub 2023,
+// "Sampling Visible GGX Normals with Spherical Caps"): stretched to roughness 1, reflected directions fill a cap of the
+// sphere uniformly. Needs shared/footprint.glsl for the lobe's frame.
 
 LobeSample lobeSample(FootprintLobe lobe, vec2 u)
 {
@@ -24,7 +24,7 @@ LobeSample lobeSample(FootprintLobe lobe, vec2 u)
   return result;
 }
 
-// The same of a given unit direction.
+// The same for a given unit direction.
 LobeSample lobeTowards(FootprintLobe lobe, vec3 direction)
 {
   vec3 l = vec3(dot(lobe.tangent, direction), dot(lobe.bitangent, direction), dot(lobe.normal, direction));

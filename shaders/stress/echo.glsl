@@ -1,6 +1,6 @@
-// The stress test's maps on the GPU: a lookup gives back its own direction and level, so that whatever is wrong with either shows in
-// the result; distances are those of filters/stress/stress_map.h. Needs shared/types.glsl, finite.glsl,
-// slab.glsl and relief.glsl.
+// The stress test's maps on the GPU: a lookup returns its own direction and level, so that errors in either show in the
+// result; distances are those of filters/stress/stress_map.h. Needs shared/types.glsl, finite.glsl, slab.glsl and
+// relief.glsl.
 #define PROBE_MAP int
 #define DISTANCE_MAP int
 
@@ -28,7 +28,7 @@ vec2 splitSumAt(float cosine, float roughness)
   return stressSplitSum;
 }
 
-// Of the light table of filters/stress/stress_light.h; the box is not turned against the map.
+// From the light table of filters/stress/stress_light.h; the box is not rotated against the map.
 #define STRESS_LIGHT_CELLS 96
 uniform vec4 stressLight[STRESS_LIGHT_CELLS];
 vec3 mapFromProbe(ProbeShape probe, vec3 direction) { return direction; }

@@ -1,5 +1,6 @@
-// The whole lobe in one lookup: where three of its rays hit, seen from C, says in which direction and in which level; see
-// shared/footprint.glsl. Points, weights and factors are what tests/bench/fit_footprints found for this project's prefilter.
+// The whole lobe in one lookup: the hits of three of its rays, seen from C, determine direction and level; see
+// shared/footprint.glsl. Points, weights and factors were fitted to this project's prefilter by
+// tests/bench/fit_footprints.
 vec4 evaluateFootprint1(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
 {
   FootprintLobe lobe = footprintLobe(point, 1.0f);

@@ -1,5 +1,5 @@
-// Two pieces of the lobe, each looked up by the patch of wall it covers; see shared/footprint.glsl. Points, weights and factors
-// are what tests/bench/fit_footprints found for this project's prefilter.
+// Two parts of the lobe, each sampled by the patch of wall it covers; see shared/footprint.glsl. Points, weights and
+// factors were fitted to this project's prefilter by tests/bench/fit_footprints.
 vec4 evaluateFootprint2(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
 {
   FootprintLobe lobe = footprintLobe(point, 1.0f);

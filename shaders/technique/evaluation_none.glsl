@@ -1,4 +1,5 @@
-// No contact hardening: one fetch from the level of the surface's own roughness, whatever the distance to the hit.
+// No contact hardening: one fetch from the level of the surface's own roughness, independent of the distance to the
+// hit.
 vec4 evaluateNone(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
 {
   ProbeHit hit = projectRay(probe, point.position, point.normal, point.reflection);

@@ -222,7 +222,7 @@ void addFields(Runs& runs) {
     runs.push_back({name, "render " + std::string(what), "picture.png", true});
   }
   for (const char* view : {"hit-distance", "true-distance", "hit-error", "direction-error", "level", "roughness",
-                           "direction", "weights", "face", "lookups"}) {
+                           "direction", "weights", "face", "lookups", "diffuse-light", "node-validity"}) {
     runs.push_back({std::string("view-") + view, "render plain --technique footprint4 --view " + std::string(view),
                     "picture.exr", true});
   }

@@ -94,7 +94,7 @@ OffsetBox sixRays(const SurfaceRays& rays, const Probe& probe) {
 
 OffsetBox quantiles(const SurfaceRays& rays, const Probe& probe) {
   std::array<std::vector<double>, 3> values;
-  for (const glm::dvec3& direction : evenDirections(4096)) {
+  for (const glm::dvec3& direction : fibonacciDirections(4096)) {
     const std::optional<SurfaceHit> hit = rays.first(probe.origin, direction);
     for (int axis = 0; hit && axis < 3; ++axis) {
       values[static_cast<std::size_t>(axis)].push_back(hit->distance * direction[axis]);

@@ -130,7 +130,7 @@ void restAndPrint(OffscreenScene& scene) {
   SceneRenderer& renderer = scene.renderer();
   scene.window()->MakeCurrent();
   const std::uint64_t programs = renderer.counters().programsCompiled;
-  renderer.foldConstants();
+  renderer.specializePrograms();
   double longest = 0.0;
   while (renderer.workPending()) {
     const double start = processCpuSeconds();
@@ -147,7 +147,7 @@ void runAgainstOurs(const CLI::App& program, const BenchOptions& options, const 
   OffscreenScene ours(windowSettings(program, options));
   bench::prepare(ours, loaded.scene, lit ? unlit(loaded.models) : loaded.models);
   OffscreenScene other{vtkSmartPointer<vtkOpenGLRenderWindow>(ours.window())};
-  other.renderer().drawGenerally(general);
+  other.renderer().useGeneralPrograms(general);
   bench::prepare(other, loaded.scene, loaded.models);
   if (!options.noConstants) restAndPrint(ours);
   if (!options.noConstants && lit) other.rest();

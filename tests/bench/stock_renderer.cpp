@@ -65,7 +65,7 @@ vtkSmartPointer<vtkActor> stockActor(vtkActor* ours) {
   actor->GetProperty()->SetEmissiveFactor(ours->GetProperty()->GetEmissiveFactor());  // VTK 9.1's copy leaves it out
   auto* lit = vtkProbeActor::SafeDownCast(ours);
   if (lit != nullptr && lit->GetPass()->GetSurface() != nullptr) {
-    givePlainSurface(*lit->GetPass()->GetSurface(), actor->GetProperty(), data);
+    applyPlainSurface(*lit->GetPass()->GetSurface(), actor->GetProperty(), data);
   }
   mapper->SetInputData(data);
   actor->SetUserMatrix(ours->GetUserMatrix());

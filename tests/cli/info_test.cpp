@@ -176,8 +176,9 @@ TEST(Info, TheCostsOfAFrameAddUpToIt) {
     EXPECT_LE(part["low"], part["milliseconds"]) << part;
     EXPECT_LE(part["milliseconds"], part["high"]) << part;
   }
-  EXPECT_EQ(parts, (std::vector<std::string>{"reflection", "light loop", "material", "output", "other shading",
-                                             "pixels", "vertices", "sky", "ground shadow", "window"}));
+  EXPECT_EQ(parts,
+            (std::vector<std::string>{"reflection", "light loop", "material", "output", "other shading", "pixels",
+                                      "vertices", "sky", "ambient occlusion", "ground shadow", "window"}));
   std::size_t objects = 0;
   for (const json& program : costs["programs"]) objects += program["objects"].size();
   EXPECT_EQ(objects, costs["objects"].size());

@@ -62,7 +62,9 @@ TEST_F(Reference, BoxAndSceneAgreeAndSayHowFarTheyAreOff) {
     EXPECT_NE(file.header().channels().findChannel(channel), nullptr) << channel;
   }
 
-  const std::string box = render("reference-box", "box.exr", DisplayKind::Inherited);
+  // As the traced scene: a first capture, in which mirrors are black.
+  const std::string box =
+      render("reference-box", "box.exr", DisplayKind::Inherited, {"--set", "probes.room.bounces=1"});
   const PictureError error = pictureError(loadHdrImage(box), loadHdrImage(scene));
   std::printf("  box against scene: tone-mapped RMSE %.4f, brightness %.4f\n", error.toneMappedRmse,
               error.brightnessRatio);
@@ -92,6 +94,58 @@ TEST_F(Reference, EveryBounceBringsLightAndAShareOfItIsTheSamePicture) {
   EXPECT_LT(pictureError(direct, once).brightnessRatio, pictureError(once, loadHdrImage(all)).brightnessRatio);
   for (const char* share : {"2/3", "3/3", "1/3"}) traced("bands.exr", {"--bounces", "all", "--shard", share});
   EXPECT_EQ(readFile(folder.path("bands.exr")), readFile(all));
+}
+
+// In a room of matte walls nothing reflects: the reference is the picture where both have the same diffuse light. With
+// lamps in the map it has the sky's, of which no light comes through a roof here.
+TEST_F(Reference, DiffuseLightIsThatOfThePicturesLampsAndLattice) {
+  const auto room = [this](const std::string& output, const std::string& lamps, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {
+        "render",    BOXPROBE_DATA_DIR "/../tests/truth/lit/scenes/doorway.boxprobe.json",
+        "-o",        folder.path(output),
+        "--size",    "106x60",
+        "--samples", "4",
+        "--set",     "lamps=" + lamps};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    outcome = runProgram(arguments, DisplayKind::Unset);
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+    return loadHdrImage(folder.path(output));
+  };
+  const std::vector<std::string> traced = {"--technique", "reference-scene", "--rays", "4"};
+  const ImageRgbaF drawn = room("drawn.exr", "shapes", {}), own = room("own.exr", "shapes", traced),
+                   sky = room("sky.exr", "in-map", traced);
+  const auto off = [&](const ImageRgbaF& image, double quantile) {
+    std::vector<double> errors;
+    for (std::size_t i = 1; i < drawn.pixels.size(); i += 4) {
+      const auto truth = static_cast<double>(drawn.pixels[i]);
+      errors.push_back(std::abs(static_cast<double>(image.pixels[i]) - truth) / std::max(truth, 1.0e-3));
+    }
+    std::sort(errors.begin(), errors.end());
+    return errors[static_cast<std::size_t>(quantile * static_cast<double>(errors.size() - 1))];
+  };
+  std::printf("  median off by %.4f, 90 %% within %.4f; lamps in the map %.3f\n", off(own, 0.5), off(own, 0.9),
+              off(sky, 0.5));
+  EXPECT_LT(off(own, 0.5), 0.004);
+  EXPECT_LT(off(own, 0.9), 0.03);
+  EXPECT_GT(off(sky, 0.5), 0.1);
+  // Shares of its rows are the same picture.
+  std::vector<std::string> shared = traced;
+  shared.insert(shared.end(), {"--shard", "2/2"});
+  for (const char* share : {"2/2", "1/2"}) {
+    shared.back() = share;
+    std::vector<std::string> arguments = {"render",
+                                          "-o",
+                                          folder.path("bands.exr"),
+                                          "--size",
+                                          "106x60",
+                                          "--samples",
+                                          "4",
+                                          BOXPROBE_DATA_DIR "/../tests/truth/lit/scenes/doorway.boxprobe.json"};
+    arguments.insert(arguments.end(), shared.begin(), shared.end());
+    outcome = runProgram(arguments, DisplayKind::Unset);
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  }
+  EXPECT_EQ(readFile(folder.path("bands.exr")), readFile(folder.path("own.exr")));
 }
 
 TEST_F(Reference, WritesDisplayColoursToPng) {

@@ -161,7 +161,7 @@ TEST(CaptureLamps, LaterCapturesShowLampsInReflectionsAsMapsDo) {
   Scene scene = sceneOf(probeIn({-0.7, 1.3, 0.2}, {dvec3(kLow), dvec3(kHigh)}));
   scene.probes[0].bounces = 5;
   TracedWorld tuned(scene, twoHalves()), general(scene, twoHalves());
-  general.renderer->drawGenerally(true);
+  general.renderer->useGeneralPrograms(true);
   tuned.show();
   general.show();
   const auto a = tuned.renderer->readMaps("room"), b = general.renderer->readMaps("room");

@@ -141,7 +141,7 @@ TEST(FlatMaps, AreMadeWhenAProgramNeedsThem) {
   picture.display();
   EXPECT_EQ(counters.mapsFlattened, 0u);
   const auto rest = [&picture] {
-    picture.renderer->foldConstants();
+    picture.renderer->specializePrograms();
     picture.renderer->finishWork();
     picture.display();
   };

@@ -39,7 +39,7 @@ Rest rest(SceneRenderer& renderer) {
   Rest done;
   const std::uint64_t& compiled = renderer.counters().programsCompiled;
   const std::uint64_t first = compiled;
-  renderer.foldConstants();
+  renderer.specializePrograms();
   while (renderer.workPending()) {
     const std::uint64_t before = compiled;
     double seconds = 0.0;
@@ -55,9 +55,9 @@ Rest rest(SceneRenderer& renderer) {
 }
 
 Drawn draw(ScenePicture& picture, bool generally) {
-  picture.renderer->drawGenerally(generally);
+  picture.renderer->useGeneralPrograms(generally);
   if (!generally) {
-    picture.renderer->foldConstants();
+    picture.renderer->specializePrograms();
     picture.renderer->finishWork();
   }
   Drawn drawn;
@@ -170,9 +170,9 @@ TEST(FoldedConstants, OfLongAgoAreGivenBack) {
   const ImageRgba8 first = rest(0);
   const std::uint64_t before = counters.programsCompiled;
   int edits = 1;
-  for (; edits < 200 && counters.programsGivenBack < 20; ++edits) rest(edits);
-  ASSERT_GE(counters.programsGivenBack, 20u) << "after " << edits << " edits nothing was given back";
-  EXPECT_LE(counters.programsCompiled - before - counters.programsGivenBack,
+  for (; edits < 200 && counters.programsReleased < 20; ++edits) rest(edits);
+  ASSERT_GE(counters.programsReleased, 20u) << "after " << edits << " edits nothing was given back";
+  EXPECT_LE(counters.programsCompiled - before - counters.programsReleased,
             ProgramCache::kMost + counters.surfacePrograms);
   EXPECT_EQ(worst(rest(0), first), 0);
   EXPECT_EQ(picture.renderer->error(), "");
@@ -220,7 +220,7 @@ TEST(FoldedConstants, HoldOnlyForTheirNumbers) {
   while (vtkActor* actor = actors->GetNextActor()) actor->GetProperty()->SetEmissiveFactor(0.3, 0.2, 0.1);
   const ImageRgba8 edited = picture.display();
   EXPECT_GT(picture.renderer->counters().constantsLeft, 0u);
-  picture.renderer->drawGenerally(true);
+  picture.renderer->useGeneralPrograms(true);
   EXPECT_LE(worst(edited, picture.display()), 1);
 }
 

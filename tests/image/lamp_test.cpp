@@ -129,7 +129,7 @@ TEST_P(Lamp, ShinesAsItsCaptureDoes) {
   ImageRgbaF integral{kSize, kSize, {}};
   std::uint64_t seed = 1;
   for (const Explanation& e : picture.renderer->explain(places, kSize, kSize)) {
-    const glm::dvec3 color = e.hit ? referenceBoxColor(litPoint(e), maps, 64, stirred(seed++)) : glm::dvec3(0.0);
+    const glm::dvec3 color = e.hit ? referenceBoxColor(litPoint(e), maps, 64, hashBits(seed++)) : glm::dvec3(0.0);
     for (const double channel : {color.r, color.g, color.b, 1.0})
       integral.pixels.push_back(static_cast<float>(channel));
   }

@@ -172,6 +172,7 @@ Scene roomWithFloorOnly() {
     scene.objects[instance.node].visible = instance.node == "floor";
   }
   scene.probes[0].faceSize = 32;
+  scene.probes[0].bounces = 1;  // faces are counted
   return scene;
 }
 
@@ -237,7 +238,7 @@ TEST_F(ManyProbes, ProbesOffIsStockVtk) {
   }
   for (const char* unlit : {"near hills", "far hills"}) scene.objects[unlit].visible = false;
   ScenePicture picture(scene, kWidth, kHeight);
-  picture.renderer->lightAsVtk(1, 1, {glm::vec2(0.0f)});  // the table is not read without probes
+  picture.renderer->useVtkLighting(1, 1, {glm::vec2(0.0f)});  // the table is not read without probes
   picture.renderer->setProbesEnabled(false);
   // VTK draws its actors as they were added: of two equally far away the first one shows.
   auto* culled = vtkCulledRenderer::SafeDownCast(picture.renderer->renderer());

@@ -60,7 +60,7 @@ inline NoisyRoomTruth truthOf(ScenePicture& picture) {
     constexpr int kRays = 512;
     const bool lit = e.hit && !e.probes.empty();
     const glm::dvec3 color =
-        lit ? referenceBoxColor(litPoint(e), maps, kRays, stirred(static_cast<std::uint64_t>(e.y * kWidth + e.x)))
+        lit ? referenceBoxColor(litPoint(e), maps, kRays, hashBits(static_cast<std::uint64_t>(e.y * kWidth + e.x)))
             : glm::dvec3(e.color);
     for (int c = 0; c < 3; ++c) truth.picture.pixels.push_back(static_cast<float>(color[c]));
     truth.picture.pixels.push_back(1.0f);

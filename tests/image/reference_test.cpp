@@ -318,9 +318,9 @@ TEST(Reference, BoxAndSceneAgreeWhereTheBoxIsTheTruth) {
                                }).x;
           return share > 0.0 ? sum / share : glm::dvec3(0.0);
         };
-        const std::uint64_t seed = stirred(static_cast<std::uint64_t>(e.y * kWidth + e.x));
-        const auto boxSeed = [&](int pass) { return stirred(seed + static_cast<std::uint64_t>(2 * pass)); };
-        const auto sceneSeed = [&](int pass) { return stirred(seed + static_cast<std::uint64_t>(2 * pass + 1)); };
+        const std::uint64_t seed = hashBits(static_cast<std::uint64_t>(e.y * kWidth + e.x));
+        const auto boxSeed = [&](int pass) { return hashBits(seed + static_cast<std::uint64_t>(2 * pass)); };
+        const auto sceneSeed = [&](int pass) { return hashBits(seed + static_cast<std::uint64_t>(2 * pass + 1)); };
         everything.add(overPasses([&](int pass) { return mean(boxSeed(pass), boxSees); }),
                        overPasses([&](int pass) { return mean(sceneSeed(pass), tracerSees); }));
         apart.add(overPasses([&](int pass) { return evenMean(boxSeed(pass), boxSees); }),

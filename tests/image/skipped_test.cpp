@@ -19,6 +19,7 @@ constexpr int kWidth = 160, kHeight = 90;
 
 ScenePicture shownRoom() {
   ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", kWidth, kHeight);
+  picture.scene.probes[0].bounces = 1;  // each capture skips levels of its own
   picture.show(cameraNamed(picture.scene, "main"));
   return picture;
 }
@@ -224,7 +225,7 @@ class SkippedRooms : public TemporaryFolder {
       names_.push_back(probe.name);
     }
     ScenePicture picture(made.scene, kWidth, kHeight);
-    picture.renderer->drawGenerally(generally);
+    picture.renderer->useGeneralPrograms(generally);
     picture.renderer->setBakeTargets(names_);
     picture.show(cameraNamed(picture.scene, "main"));
     return picture;

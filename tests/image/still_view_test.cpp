@@ -31,16 +31,16 @@ class StillViewTest : public TemporaryFolder {
   void openFile(const std::string& name, int samples = 0) {
     open(ScenePicture::fromFile("scenes/" + name + ".boxprobe.json", 8, 8).scene, samples);
   }
-  std::uint64_t leftOut() { return picture->renderer->counters().drawsLeftOut; }
+  std::uint64_t leftOut() { return picture->renderer->counters().drawsCulled; }
   vtkCulledRenderer* renderer() { return vtkCulledRenderer::SafeDownCast(picture->renderer->renderer()); }
   /// The picture as it is, and that it is the one with everything drawn.
   ImageRgba8 checked(const std::string& what) {
     ImageRgba8 image = picture->display();
     const std::uint64_t out = leftOut();
-    renderer()->SetLeavingOut(false);
+    renderer()->SetHiddenCulling(false);
     const ImageRgba8 whole = picture->display();
     EXPECT_EQ(leftOut(), 0u);
-    renderer()->SetLeavingOut(true);
+    renderer()->SetHiddenCulling(true);
     EXPECT_TRUE(image.pixels == whole.pixels) << what << ", " << out << " left out";
     keepPicture(image, "still_" + what);
     return image;
@@ -73,7 +73,7 @@ TEST_F(StillViewTest, AClosedRoomIsDrawnWithoutItsSky) {
 TEST_F(StillViewTest, TheSkyIsDrawnAroundWhereItShows) {
   openFile("building", 4);
   rest();
-  const OcclusionQuery::Rectangle shows = renderer()->GetBackdropShows();
+  const OcclusionQuery::Rectangle shows = renderer()->GetBackdropRectangle();
   EXPECT_GT(shows.width, 0);
   EXPECT_LT(shows.height, kHeight * 3 / 4) << "it lies above the horizon";
   EXPECT_EQ(shows.y + shows.height, kHeight) << "and reaches the upper edge";

@@ -173,7 +173,7 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   picture.renderer->applyCamera(camera);
   picture.renderer->finishWork();
   const std::vector<glm::vec2> values = vtkTable();
-  picture.renderer->lightAsVtk(kTableColumns, kTableRows, values);
+  picture.renderer->useVtkLighting(kTableColumns, kTableRows, values);
   const ImageRgba8 ours = picture.display();
   keepPicture(ours, "stock_ours");
   const ImageRgbaF coverage = picture.linear(1);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "filters/stress/exact.h"
+#include "filters/stress/exact_lamp.h"
 #include "filters/stress/stress_run.h"
 #include "filters/stress/stress_subjects.h"
 
@@ -90,6 +91,43 @@ TEST(Stress, PublishedFormsBreak) {
   // And is right where nothing is special.
   EXPECT_EQ(share("inside", "published:box-max", true), 0.0);
   EXPECT_EQ(share("inside", "published:sphere", true), 0.0);
+}
+
+// Lamps as shapes: what nearly all inputs of a class are off by, where the class has no bound for each of them. Along
+// the horizon an outline has no digits, and a view that lies there sees it; nobody else does.
+TEST(Stress, LampsHaveTheirDigits) {
+  for (const StressCell& cell :
+       runStress(planOf({"term:lamp-diffuse", "term:lamp-glossy", "term:lattice"}, 240000), kGoOn)) {
+    if (cell.inputs->held == Held::Finite) continue;
+    const std::string_view id = cell.inputs->id;
+    const bool flat = id == "grazing-view" || id == "from-behind";
+    const ErrorHistogram& off = cell.tally.errors[kRelative];
+    if (id == "point" && cell.subject->id != "term:lattice") continue;  // no lamp
+    ASSERT_TRUE(off.measured()) << id << " " << cell.subject->id;
+    if (cell.subject->id == "term:lamp-glossy" && flat) {
+      EXPECT_LT(off.quantile(0.9), 1.0e-3) << id;
+    } else {
+      EXPECT_LT(off.quantile(0.99), 2.0e-4) << id << " " << cell.subject->id;
+    }
+  }
+}
+
+// The yardstick of lamps, by hand: a square of half side 1 at height 1 over a floor fills 0.1385 of its cosine from a
+// corner's foot (Howell C-11) and four times that from its middle.
+TEST(Stress, ExactLamps) {
+  exact::Lamp square{{{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}}, false};
+  const long double quarter = std::atan(1 / std::sqrt(2.0L)) / (std::sqrt(2.0L) * 3.14159265358979323846L);
+  EXPECT_NEAR(static_cast<double>(exact::formFactor(square, {0, 0, 0}, {0, 0, 1})), static_cast<double>(4 * quarter),
+              1e-15);
+  // Half of it below the horizon of a wall, by symmetry: what its upper half gives.
+  exact::Lamp upper{{{0, -1, 1}, {0, 1, 1}, {1, 1, 1}, {1, -1, 1}}, false};
+  EXPECT_NEAR(static_cast<double>(exact::formFactor(square, {0, 0, 0}, {1, 0, 0})),
+              static_cast<double>(exact::formFactor(upper, {0, 0, 0}, {1, 0, 0})), 1e-15);
+  EXPECT_NEAR(static_cast<double>(exact::heightOverLamp(square, {0, 0, 0})), 1 / (1e-5 * (2 + std::sqrt(8.0))), 1e-6);
+  // A lamp all around a lobe fills it, but for what great arcs miss along the horizon.
+  exact::Lamp wide{{{-900, -900, 1}, {-900, 900, 1}, {900, 900, 1}, {900, -900, 1}}, false};
+  const auto share = exact::imageShare(wide, {0, 0, 0}, {0, 0, 1}, {0.6L, 0, 0.8L}, 0.2L, 0);
+  EXPECT_NEAR(static_cast<double>(share[0] + share[1]), 1.0, 0.02);
 }
 
 TEST(Stress, AnInputIsItsNumbers) {

@@ -167,7 +167,7 @@ TEST(BoxSurroundings, RaysTowardsLampsFindTheSameMean) {
       const BoxSurroundings around(pixel, maps);
       double sum = 0.0, squares = 0.0;
       for (int i = 0; i < count; ++i) {
-        const auto seed = stirred(static_cast<std::uint64_t>(1000 * trial + i));
+        const auto seed = hashBits(static_cast<std::uint64_t>(1000 * trial + i));
         const double value = around.reflected(lobe, white, rays, seed).x;
         sum += value;
         squares += value * value;

@@ -63,8 +63,8 @@ TEST(FitBox, FindsWallsFromBoxesOffByHalf) {
     Probe probe = probeAt({0.7, 1.4, -0.5}, kHall);
     for (int axis = 0; axis < 3; ++axis) {
       const double size = kHall.size()[axis];
-      probe.box.min[axis] += size * (evenlySpread(i, 2 + axis) - 0.5);
-      probe.box.max[axis] += size * (evenlySpread(7 * i, 2 + axis) - 0.5);
+      probe.box.min[axis] += size * (vanDerCorput(i, 2 + axis) - 0.5);
+      probe.box.max[axis] += size * (vanDerCorput(7 * i, 2 + axis) - 0.5);
     }
     const std::optional<BoxFit> fit = place.fit(probe);
     ASSERT_TRUE(fit);

@@ -22,8 +22,8 @@ TEST(FitRays, LeaveABoxWhereTheShadersDo) {
   const glm::vec3 low(-1.5f, -1.0f, 0.1f), high(2.0f, 3.0f, 2.5f);
   for (int i = 1; i < 500; ++i) {
     LookupRay ray;
-    ray.from = glm::dvec3(evenlySpread(i, 2), evenlySpread(i, 3), evenlySpread(i, 5)) * 4.0 - 1.5;
-    ray.along = sphereDirection(evenlySpread(i, 7), evenlySpread(i, 11));
+    ray.from = glm::dvec3(vanDerCorput(i, 2), vanDerCorput(i, 3), vanDerCorput(i, 5)) * 4.0 - 1.5;
+    ray.along = sphereDirection(vanDerCorput(i, 7), vanDerCorput(i, 11));
     if (i % 10 == 0) ray.along = {0.0, 1.0, 0.0};
     const glm::vec3 factors = shading::slabFactors(glm::vec3(ray.from), glm::vec3(ray.along), low, high);
     const double shader = std::min({factors.x, factors.y, factors.z});
@@ -69,8 +69,8 @@ TEST(FitRays, ADistanceCubeIsEnough) {
   }
   const DistanceRays rays(distance, origin, worldFromMap);
   for (int i = 1; i < 200; ++i) {
-    const glm::dvec3 along = sphereDirection(evenlySpread(i, 2), evenlySpread(i, 3));
-    const glm::dvec3 from = origin + 0.5 * sphereDirection(evenlySpread(i, 5), evenlySpread(i, 7));
+    const glm::dvec3 along = sphereDirection(vanDerCorput(i, 2), vanDerCorput(i, 3));
+    const glm::dvec3 from = origin + 0.5 * sphereDirection(vanDerCorput(i, 5), vanDerCorput(i, 7));
     const std::optional<SurfaceHit> truth = triangles.first(from, along), marched = rays.first(from, along);
     if (!marched || (from + truth->distance * along).x > 2.9) continue;
     EXPECT_NEAR(marched->distance, truth->distance, 0.08 * truth->distance) << i;

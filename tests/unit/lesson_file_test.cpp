@@ -46,7 +46,7 @@ TEST_F(LessonFile, StepsBuildOnThoseBefore) {
       "\"set\": {\"exposure\": 2}},\n{\"title\": \"u\", \"say\": \"s\", \"set\": "
       "{\"probes.room.bounces\": 3}");
   const Lesson read = loadLessonFile(write("1-two.lesson.json", two));
-  EXPECT_EQ(lessonScene(read, 0).probes[0].bounces, 1);
+  EXPECT_EQ(lessonScene(read, 0).probes[0].bounces, 2);
   EXPECT_EQ(lessonScene(read, 1).probes[0].bounces, 3);
   EXPECT_EQ(lessonScene(read, 1).exposure, 2.0);
 }

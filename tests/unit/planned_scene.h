@@ -87,7 +87,7 @@ class PlannedScene {
     return words;
   }
   static std::string word(const ProbeJob& job) {
-    static const char* const kinds[] = {"sky", "file", "picture", "drag", "bounce", "realtime", "levels"};
+    static const char* const kinds[] = {"sky", "file", "picture", "drag", "bounce", "realtime", "levels", "coarse"};
     std::string kind = kinds[static_cast<std::size_t>(job.kind)];
     if (job.name.empty()) return kind;
     return kind + ":" + job.name + (job.kind == JobKind::Bounce ? std::to_string(job.bounce) : "");

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "filters/vtk/gl/map_bytes.h"
 #include "tests/unit/planned_scene.h"
 
@@ -40,6 +43,28 @@ TEST(ProbePlan, TheSkyComesFirstThenOneBounceOfAllBeforeTheNext) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(rooms.entries[i].shown, rooms.entries[i].wanted);
   rooms.update();
   EXPECT_THAT(rooms.jobs(), IsEmpty()) << "nothing changed";
+}
+
+TEST(ProbePlan, WhatShowsNothingIsCapturedInFewTexelsFirst) {
+  ThreeRooms rooms(2);
+  rooms.scene.probes[0].faceSize = 128;
+  rooms.scene.probes[2].faceSize = 256;
+  rooms.update();
+  const auto finals = rooms.jobs();
+  rooms.plan.setCoarseFirst(true);
+  rooms.replan();
+  auto expected = finals;
+  expected.insert(expected.begin() + 1, {"coarse:near", "coarse:far"});  // next's own faces are as small
+  EXPECT_EQ(rooms.jobs(), expected);
+  EXPECT_EQ(rooms.plan.jobs()[1].faceSize, 64);
+  EXPECT_TRUE(rooms.plan.coarsePending());
+  rooms.entries[0].shown = "something";
+  rooms.replan();
+  expected.erase(expected.begin() + 1);
+  EXPECT_EQ(rooms.jobs(), expected) << "what shows something waits for its own";
+  rooms.scene.probes[1].mode = ProbeMode::Realtime;
+  rooms.update();
+  EXPECT_FALSE(rooms.plan.coarsePending()) << "it would see them";
 }
 
 TEST(ProbePlan, AnImageOfTheSkyIsCapturedFiner) {
@@ -265,6 +290,32 @@ TEST(ProbePlan, AProbeKeepsItsEntryThroughAChangeOfTheList) {
   EXPECT_EQ(rooms.entries.size(), 2u);
   EXPECT_EQ(rooms.entries[0].shown, far);
   EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:near2")) << "it showed the one that is gone";
+}
+
+// Nodes a unit apart, 16 along an axis at most, 28 numbers each.
+TEST(ProbePlan, LatticesAreCountedBeforeAnythingIsMade) {
+  ThreeRooms rooms(1);
+  rooms.scene.probes[1].box.max = rooms.scene.probes[1].box.min + glm::dvec3(90.0, 4.2, 31.0);
+  rooms.update();
+  CaptureWorld world = rooms.plan.world();
+  world.lattices = true;
+  rooms.plan.setWorld(world);
+  rooms.plan.updateKeys();
+  rooms.replan();
+  std::size_t nodes = 0;
+  for (const Probe& probe : rooms.scene.probes) {
+    std::size_t of = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double size = probe.box.max[axis] - probe.box.min[axis];
+      of *= static_cast<std::size_t>(std::min(std::max(std::floor(size + 0.5) + 1.0, 2.0), 16.0));
+    }
+    nodes += of;
+  }
+  EXPECT_GT(nodes, 16u * 5u * 16u);
+  const std::size_t all = 3 * probeMapsBytes(32, true) + captureScratchBytes(32) + nodes * 28 * 4;
+  EXPECT_TRUE(rooms.plan.checkMemory(all));
+  EXPECT_FALSE(rooms.plan.checkMemory(all - 1));
+  EXPECT_THAT(rooms.plan.memoryError(), HasSubstr(memoryText(nodes * 28 * 4) + " of lattices need "));
 }
 
 TEST(ProbePlan, MapsThatDoNotFitAreNotMade) {

@@ -111,7 +111,7 @@ TEST(ReferenceLobe, SeedsAreIndependent) {
   double sum = 0.0, squares = 0.0;
   constexpr int kSeeds = 400;
   for (int seed = 0; seed < kSeeds; ++seed) {
-    const ShiftedPoints points(stirred(static_cast<std::uint64_t>(seed)));
+    const ShiftedPoints points(hashBits(static_cast<std::uint64_t>(seed)));
     sum += points[0].x;
     squares += points[0].x * points[0].x;
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <random>
 
 namespace {
@@ -91,6 +92,65 @@ TEST(TracedLattice, WhatNoCaptureSeesHasAllBounces) {
     std::printf("node %d %d %d: %.4f %.4f %.4f, true %.4f %.4f %.4f\n", p.x, p.y, p.z, static_cast<double>(first.x),
                 static_cast<double>(first.y), static_cast<double>(first.z), truth.x, truth.y, truth.z);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(static_cast<double>(first[c]) / truth[c], 1.0, 0.04) << c;
+  }
+}
+
+// A floor without end under the sky; the place of the capture is walled in.
+struct Floor : SightLines {
+  explicit Floor(double height) : height_(height) {}
+  bool empty() const override { return false; }
+  bool blocked(const dvec3& from, const dvec3& to, bool) const override {
+    return glm::length(from) < 1e-6 || (from.y > height_) != (to.y > height_);
+  }
+  std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
+    if (d.y >= 0.0) return std::nullopt;
+    Met met;
+    met.distance = (height_ - from.y) / d.y;
+    met.normal = dvec3(0.0, 1.0, 0.0);
+    met.albedo = kAlbedo;
+    return met;
+  }
+
+ private:
+  double height_;
+};
+
+// Half of what a node sees is the sky, half a floor in the sun and under that sky: within the box, where nodes light
+// it, and below the box, where the sky does.
+TEST(TracedLattice, SunAndSkyLightWhatNodesSee) {
+  const glm::vec3 skyLight(0.4f, 0.7f, 1.3f);
+  CubeMap sky(8, 1), dark(8, 1);
+  for (int face = 0; face < 6; ++face) {
+    std::fill_n(dark.face(0, face), 8 * 8 * 4, 0.0f);
+    for (int i = 0; i < 8 * 8; ++i) sky.setTexel(0, face, i % 8, i / 8, glm::vec4(skyLight, 1.0f));
+  }
+  Light sun;
+  sun.direction = {0.6, -0.8, 0.3};
+  sun.intensity = 5.0f;
+  sun.color = {1.0f, 0.9f, 0.6f};
+  const double cosine = 0.8 / glm::length(sun.direction);
+  const CubeMap means = plainMeans(dark);
+  shading::ProbeShape shape{};
+  shape.boxMin = glm::vec3(kLow);
+  shape.boxMax = glm::vec3(kHigh);
+  shape.projection = 0;
+  for (const double height : {kLow.y, kLow.y - 2.5}) {
+    LatticeSurroundings in;
+    in.lines = std::make_shared<const Floor>(height);
+    in.lamps = std::make_shared<const SceneLamps>();
+    in.lights = std::make_shared<const std::vector<Light>>(std::vector<Light>{sun});
+    in.sky = std::make_shared<const CubeMap>(sky);
+    in.open = true;
+    const DiffuseLattice lattice = tracedLattice(makeDiffuseLattice(means, shape), means, in);
+    const glm::ivec3 n = lattice.nodes;
+    const glm::vec4 mean = lattice.texels[static_cast<std::size_t>((1 * n.y + n.y - 1) * n.x + 2)];
+    for (int c = 0; c < 3; ++c) {
+      const double s = static_cast<double>(skyLight[c]), a = static_cast<double>(kAlbedo[c]);
+      const double sunny = static_cast<double>(sun.intensity * sun.color[c]) * cosine / kPi;
+      const double truth = 0.5 * s + 0.5 * a * (sunny + s);
+      std::printf("floor at %.1f: %.4f, true %.4f\n", height, static_cast<double>(mean[c]), truth);
+      EXPECT_NEAR(static_cast<double>(mean[c]) / truth, 1.0, 0.03) << c;
+    }
   }
 }
 

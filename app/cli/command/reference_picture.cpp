@@ -22,6 +22,7 @@
 #include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/scene/material_override.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/image/image_file.h"
@@ -77,8 +78,40 @@ ReferencePicture tracePaths(const LoadedScene& loaded, const Camera& camera, con
   return path.render(camera, settings, progress);
 }
 
+/// Does something scatter light that probes bring it, as shapes and lattices? Not all of it is known without a capture.
+bool probesLightSurfaces(const LoadedScene& loaded) {
+  const Scene& scene = loaded.scene;
+  if (scene.probes.empty() || scene.lamps != LampForm::Shapes) return false;
+  for (const auto& model : loaded.models) {
+    for (const Material& material : model->materials) {
+      const Material drawn = overriddenMaterial(material, scene);
+      const bool allMetal = drawn.metallic == 1.0f && !drawn.metallicRoughnessTexture.image;
+      if (!drawn.unlit && (!allMetal || drawn.finish.hasSheen())) return true;
+    }
+  }
+  return false;
+}
+
+/// The light that the probes throw on what the camera sees, as its picture has it; null: no surface scatters any.
+std::shared_ptr<const ProbesDiffuse> lightOfProbes(const LoadedScene& loaded, const Camera& camera,
+                                                   const RenderOptions& options, const InterruptGuard& interrupt) {
+  if (!probesLightSurfaces(loaded)) return nullptr;
+  const FrameSize size = parseFrameSize(options.size);
+  OffscreenScene shown({"boxprobe render", size.width, size.height, 1, options.report.quiet, false,
+                        options.report.offscreen, drawsLittle(1, loaded.scene.probes.size())});
+  ShownSettings settings{camera};
+  settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
+  shown.show(loaded.scene, loaded.models, settings);
+  captureShown(shown, interrupt, options.report.quiet);
+  shown.renderer().renderLinear(size.width, size.height, 1);  // lattices are derived when a frame asks for them
+  auto light = std::make_shared<const ProbesDiffuse>(shown.renderer().probesDiffuse());
+  shown.requireHealthy();
+  return light;
+}
+
 ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
-                            const PicturePart& part, const ReferenceProgress& progress) {
+                            const PicturePart& part, std::shared_ptr<const ProbesDiffuse> diffuse,
+                            const ReferenceProgress& progress) {
   const FrameSize size = parseFrameSize(options.size);
   ReferenceSettings settings;
   settings.width = size.width;
@@ -87,6 +120,7 @@ ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, con
   settings.raysPerPixel = options.rays;
   settings.full = options.full;
   settings.part = part;
+  settings.diffuse = std::move(diffuse);
   return ReferenceScene(loaded.scene, loaded.models, loadSkyImage(loaded.scene)).render(camera, settings, progress);
 }
 
@@ -268,6 +302,7 @@ void renderReference(const RenderOptions& options, bool linear) {
 
   const double start = processCpuSeconds();
   const auto make = [&](const PicturePart& part) {
+    const auto diffuse = options.technique == kScene ? lightOfProbes(loaded, camera, options, interrupt) : nullptr;
     ProgressLine line(options.technique, !options.report.quiet);  // wiped before anything else is printed
     const auto progress = [&](double done) {
       line.show(done);
@@ -276,7 +311,7 @@ void renderReference(const RenderOptions& options, bool linear) {
     };
     if (path) return tracePaths(loaded, camera, options, part, progress);
     return box ? boxPicture(loaded, camera, options, interrupt, progress)
-               : traceScene(loaded, camera, options, part, progress);
+               : traceScene(loaded, camera, options, part, diffuse, progress);
   };
   const std::string key = share ? pictureKey(loaded, camera, options) : std::string();
   const auto whole = share ? sharedPicture(*share, key, options, make) : std::optional<ReferencePicture>(make({}));

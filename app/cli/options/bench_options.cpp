@@ -135,14 +135,14 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   plan.width = size.width;
   plan.height = size.height;
   plan.seed = options.seed;
-  plan.boxTruth.seed = stirred(options.seed);
+  plan.boxTruth.seed = hashBits(options.seed);
   // Few large passes: points that are spread evenly gain by being many.
   plan.boxTruth.raysPerPass = options.quick ? 128 : 256;
   plan.boxTruth.standardError = options.quick ? 0.002 : 0.0012;
   plan.boxTruth.leastPasses = 3;
   plan.boxTruth.mostPasses = 16;
   plan.sceneTruth = plan.boxTruth;
-  plan.sceneTruth.seed = stirred(plan.boxTruth.seed);
+  plan.sceneTruth.seed = hashBits(plan.boxTruth.seed);
   plan.sceneTruth.raysPerPass = options.quick ? 48 : 64;
   plan.sceneTruth.standardError = 1.5 * plan.boxTruth.standardError;
   plan.sceneTruth.mostPasses = 12;

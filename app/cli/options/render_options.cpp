@@ -62,11 +62,12 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--camera", options.camera, "Camera of the scene (default: main, or else the first)")
       ->type_name("NAME");
   command
-      .add_option("--technique", options.technique,
-                  "Technique of every probe (default: the scene's): " + techniqueIdList() +
-                      "; or a reference: reference-box (the lobe integrated over the capture at exact box hits), "
-                      "reference-scene (one reflection, ray traced; its diffuse light is the sky's without shadows), "
-                      "reference-path (all light, path traced); the last two need no display")
+      .add_option(
+          "--technique", options.technique,
+          "Technique of every probe (default: the scene's): " + techniqueIdList() +
+              "; or a reference: reference-box (the lobe integrated over the capture at exact box hits), "
+              "reference-scene (one reflection, ray traced; diffuse light as the picture has it, with lamps in-map the "
+              "sky's without shadows), reference-path (all light, path traced; needs no OpenGL)")
       ->type_name("ID");
   command.add_option("--samples", options.samples, "Samples per pixel: 1, 4 or 16 (default 4)")
       ->check(CLI::IsMember({1, 4, 16}).description(""))

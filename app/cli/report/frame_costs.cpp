@@ -7,8 +7,8 @@
 #include <chrono>
 #include <cstdio>
 
-#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/gl/software_driver.h"
 
@@ -60,7 +60,7 @@ class Measurement {
   bool run(int rounds, const std::function<double()>& timedFrame, const std::function<bool(double)>& progress) {
     without_.assign(kinds_.size(), {});
     times_.assign(kinds_.size(), {});
-    const AtEnd whole([this] { set({}); });
+    const ScopeExit whole([this] { set({}); });
     const double all = static_cast<double>((rounds + 1) * static_cast<int>(kinds_.size()));
     double done = 0.0;
     for (int round = 0; round <= rounds; ++round) {
@@ -88,7 +88,7 @@ class Measurement {
   const Seconds& without(std::size_t kind) const { return without_[kind]; }
 
  private:
-  void set(const Kind& kind) { renderer_.leaveOut(kind.parts, kind.objects, kind.withoutSky); }
+  void set(const Kind& kind) { renderer_.disableParts(kind.parts, kind.objects, kind.withoutSky); }
 
   double timed(const Kind& kind, const std::function<double()>& timedFrame) {
     set(kind);
@@ -124,7 +124,7 @@ FrameCosts measureFrameCosts(SceneRenderer& renderer, int rounds, const std::fun
                              const std::function<bool(double)>& progress) {
   // Of frames that draw everything, as those of a view that has just changed do.
   renderer.drawHidden(true);
-  const AtEnd leftOutAgain([&renderer] { renderer.drawHidden(false); });
+  const ScopeExit leftOutAgain([&renderer] { renderer.drawHidden(false); });
   timedFrame();
   const std::vector<DrawnProgram> programs = renderer.drawnPrograms();
   std::vector<DrawnProgram::Object> objects;
@@ -139,6 +139,7 @@ FrameCosts measureFrameCosts(SceneRenderer& renderer, int rounds, const std::fun
   // Without the sky, which would fill what the objects leave.
   const std::size_t fragment = measured.add({kFragmentPart, {}, true}), raster = measured.add({kRasterPart, {}, true});
   const std::size_t empty = measured.add({kObjectPart, {}, true}), ground = measured.add({kGroundPart, {}});
+  const std::size_t openness = measured.add({kOpennessPart, {}});
   std::vector<std::size_t> ofPrograms, ofObjects;
   for (std::size_t i = 0; i < std::min(programs.size(), kMostOfAKind); ++i) {
     Kind kind{kFragmentPart, {}};
@@ -168,6 +169,7 @@ FrameCosts measureFrameCosts(SceneRenderer& renderer, int rounds, const std::fun
       beyond(without(raster), without(fragment)));
   row("vertices", "vertices and VTK's calls for each object", beyond(without(empty), without(raster)));
   row("sky", "the sky behind everything", without(sky));
+  row("ambient occlusion", "what the scene hides of its own sky, if it is asked to", without(openness));
   row("ground shadow", "the soft shadow below everything, if the scene has it", without(ground));
   row("window", "a frame of nothing: cleared, samples resolved, VTK's own work", measured.of(empty));
   for (std::size_t i = 0; i < ofPrograms.size(); ++i) {

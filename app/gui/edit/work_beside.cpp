@@ -12,7 +12,7 @@
 #include <exception>
 #include <thread>
 
-#include "filters/core/base/at_end.h"
+#include "filters/core/base/scope_exit.h"
 
 namespace boxprobe {
 
@@ -43,7 +43,7 @@ void workBeside(QWidget* window, const QString& title, bool stoppable,
                 const std::function<void(const BesideProgress&)>& work) {
   constexpr int kUnnoticedMilliseconds = 500, kRedrawMilliseconds = 50;
   ++running;
-  const AtEnd ended([] { --running; });
+  const ScopeExit ended([] { --running; });
   QEventLoop loop;
   std::atomic<double> fraction{0.0};
   std::atomic<bool> cancelled{false}, done{false};

@@ -129,6 +129,7 @@ QString surfaceViewReadout(const SurfaceViewRow& row, const Explanation& explana
       break;
     case ViewKind::Picture:
     case ViewKind::Color:
+    case ViewKind::Light:
       shown = number(value->x) + "  " + number(value->y) + "  " + number(value->z);
       break;
   }

@@ -12,7 +12,7 @@
 
 #include "app/gui/edit/editor.h"
 #include "app/gui/widgets/quiet_slider.h"
-#include "filters/core/base/at_end.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/vtk/import/model_reader.h"
 
 namespace boxprobe {
@@ -156,7 +156,7 @@ void AnimationTools::take(const Pose& pose, const Pose& before) {
   }
   models[*index_] = pose.model;
   taking_ = true;
-  const AtEnd taken([this] { taking_ = false; });
+  const ScopeExit taken([this] { taking_ = false; });
   shown_ = pose;
   failed_ = {};
   parts_.show(models);

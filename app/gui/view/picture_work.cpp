@@ -72,7 +72,7 @@ void PictureWork::rested() {
     rest_.start();
     return;
   }
-  guarded([this] { renderer_.foldConstants(); });
+  guarded([this] { renderer_.specializePrograms(); });
   if (renderer_.workPending()) scheduler_->wake();
 }
 

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "app/session/load_scene.h"
-#include "filters/core/base/at_end.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/math/shared/display_math.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/path/reference_path.h"
@@ -77,7 +77,7 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
   run_ = std::make_unique<Run>();
   run_->thread = std::thread([this, run = run_.get(), number = number_, scene, models, camera, size, light,
                               diffuse = std::make_shared<const ProbesDiffuse>(std::move(diffuse))] {
-    const AtEnd left([run] { run->left = true; });
+    const ScopeExit left([run] { run->left = true; });
     const auto tell = [this, number](const QImage& image, double share, const Light& found, const QString& error) {
       QMetaObject::invokeMethod(
           this, [this, image, share, found, error, number] { passDone(image, share, found, error, number); },

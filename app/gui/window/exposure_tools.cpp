@@ -1,6 +1,7 @@
 // See exposure_tools.h.
 #include "app/gui/window/exposure_tools.h"
 
+#include <QColorDialog>
 #include <QLabel>
 #include <QMainWindow>
 #include <QToolBar>
@@ -8,6 +9,7 @@
 
 #include "app/gui/edit/exposure_control.h"
 #include "app/gui/window/menu_bar.h"
+#include "filters/math/shared/display_math.h"
 
 namespace boxprobe {
 
@@ -41,13 +43,38 @@ ExposureTools::ExposureTools(Editor& editor, MenuBar& menu, QMainWindow* window)
   connect(&menu, &MenuBar::toneChosen, this, [this](int tone) {
     editor_.commit(tr("Set tone mapping"), [tone](Scene& scene) { scene.tone = static_cast<Tone>(tone); });
   });
+  connect(&menu, &MenuBar::backgroundChosen, this, [this, window](int chosen) { setBackground(chosen, window); });
+  connect(&menu, &MenuBar::groundShadowSwitched, this, [this](bool on) {
+    editor_.commit(tr("Switch ground shadow"), [on](Scene& scene) { scene.groundShadow = on; });
+  });
+  connect(&menu, &MenuBar::ambientOcclusionSwitched, this, [this](bool on) {
+    editor_.commit(tr("Switch ambient occlusion"), [on](Scene& scene) { scene.ambientOcclusion = on; });
+  });
   connect(&menu, &MenuBar::brighterRequested, control_, [this] { control_->step(kStep); });
   connect(&menu, &MenuBar::darkerRequested, control_, [this] { control_->step(-kStep); });
 }
 
 void ExposureTools::update() {
   control_->update();
-  menu_.showTone(static_cast<int>(editor_.scene().tone));
+  const Scene& scene = editor_.scene();
+  menu_.showTone(static_cast<int>(scene.tone));
+  menu_.showSurroundings(static_cast<int>(scene.background), scene.groundShadow, scene.ambientOcclusion);
+}
+
+void ExposureTools::setBackground(int chosen, QWidget* over) {
+  const auto background = static_cast<Background>(chosen);
+  glm::vec3 color = editor_.scene().backgroundColor;
+  if (background == Background::Color) {
+    const auto bytes = displayBytes(color, 1.0);
+    const QColor picked = QColorDialog::getColor(QColor(bytes[0], bytes[1], bytes[2]), over, tr("Background"));
+    if (!picked.isValid()) return update();
+    color = shading::srgbDecoded(glm::vec3(static_cast<float>(picked.redF()), static_cast<float>(picked.greenF()),
+                                           static_cast<float>(picked.blueF())));
+  }
+  editor_.commit(tr("Set background"), [&](Scene& scene) {
+    scene.background = background;
+    scene.backgroundColor = color;
+  });
 }
 
 }  // namespace boxprobe

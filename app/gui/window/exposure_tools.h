@@ -27,6 +27,8 @@ class ExposureTools : public QObject {
   void automaticWanted();
 
  private:
+  void setBackground(int chosen, QWidget* over);
+
   Editor& editor_;
   MenuBar& menu_;
   ExposureControl* control_;

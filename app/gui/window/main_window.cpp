@@ -130,6 +130,7 @@ MainWindow::MainWindow()
   shownHandles_->SetRenderer(renderer_->renderer());
   viewport_->setProbeWidget(probeWidget_);
   renderer_->setEditable(true);
+  renderer_->showCoarseFirst(true);
   setCentralWidget(viewport_);
   setAcceptDrops(true);
   resize(1440, 900);
@@ -262,7 +263,8 @@ void MainWindow::connectPicture() {
   connect(&refinement, &RestRefinement::enabledChanged, menu_, &MenuBar::showRefinement);
   connect(work_, &PictureWork::failed, status_, &StatusLine::showError);
   connect(work_, &PictureWork::firstPictureComplete, this, &MainWindow::firstPictureComplete);
-  connect(&scheduler(), &RenderScheduler::workProgressed, status_, &StatusLine::showProgress);
+  connect(&scheduler(), &RenderScheduler::workProgressed, status_,
+          [this](double fraction) { status_->showProgress(fraction, renderer_->workNow()); });
   connect(&scheduler(), &RenderScheduler::workEnded, status_,
           [this] { status_->hideProgress(scheduler().workStopped()); });
   connect(&scheduler(), &RenderScheduler::rendered, status_, [this] {

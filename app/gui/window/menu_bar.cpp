@@ -7,8 +7,10 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSignalBlocker>
 #include <QToolBar>
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/widgets/tool_icons.h"
 #include "filters/core/scene/document.h"
@@ -149,6 +151,29 @@ void MenuBar::buildExposure() {
     tones_->addAction(action);
     const auto tone = static_cast<int>(tones_->actions().size()) - 1;
     connect(action, &QAction::triggered, this, [this, tone] { emit toneChosen(tone); });
+  }
+  QMenu* backgrounds = view_->addMenu(tr("Back&ground"));
+  backgrounds->setObjectName("backgrounds");
+  backgrounds_ = new QActionGroup(this);
+  for (const QString& text : {tr("&Environment"), tr("&Blurred environment"), tr("&Grey"), tr("&Colour...")}) {
+    QAction* action = backgrounds->addAction(text);
+    action->setCheckable(true);
+    backgrounds_->addAction(action);
+    const auto background = static_cast<int>(backgrounds_->actions().size()) - 1;
+    connect(action, &QAction::triggered, this, [this, background] { emit backgroundChosen(background); });
+  }
+  groundShadow_ = addToggle(view_, tr("Ground shado&w"), {}, &MenuBar::groundShadowSwitched);
+  ambientOcclusion_ = addToggle(view_, tr("Ambient occl&usion"), {}, &MenuBar::ambientOcclusionSwitched);
+}
+
+// Without telling anybody: it is the document that they follow.
+void MenuBar::showSurroundings(int background, bool groundShadow, bool ambientOcclusion) {
+  const auto actions = backgrounds_->actions();
+  if (background >= 0 && background < actions.size()) actions[background]->setChecked(true);
+  for (const auto& [action, on] :
+       {std::pair(groundShadow_, groundShadow), std::pair(ambientOcclusion_, ambientOcclusion)}) {
+    const QSignalBlocker quiet(action);
+    action->setChecked(on);
   }
 }
 

@@ -48,6 +48,7 @@ class MenuBar : public QObject {
   void showViews(bool on);
   void showTheme(int theme);
   void showTone(int tone);
+  void showSurroundings(int background, bool groundShadow, bool ambientOcclusion);
   void showDifference(bool on);
   /// What can be done with the selected probe, for other menus.
   std::vector<QAction*> probeActions() const { return {frame_, lookFrom_, fit_, bake_, duplicate_, copy_, delete_}; }
@@ -70,6 +71,9 @@ class MenuBar : public QObject {
   void redoRequested();
   void historyChosen(int position);
   void toneChosen(int tone);
+  void backgroundChosen(int background);
+  void groundShadowSwitched(bool on);
+  void ambientOcclusionSwitched(bool on);
   void brighterRequested();
   void darkerRequested();
   void exposeRequested();
@@ -141,7 +145,10 @@ class MenuBar : public QObject {
   QMenu* history_;
   QMenu* surfaces_;
   QActionGroup* surfaceViews_;
-  QActionGroup* tones_;   ///< in the order of Tone
+  QActionGroup* tones_;        ///< in the order of Tone
+  QActionGroup* backgrounds_;  ///< in the order of Background
+  QAction* groundShadow_;
+  QAction* ambientOcclusion_;
   QActionGroup* themes_;  ///< in the order of Theme
   QMenu* variants_;
   std::vector<std::string> cameraNames_;

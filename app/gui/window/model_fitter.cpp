@@ -181,7 +181,7 @@ void ModelFitter::refit(const QString& label, const Document::Edit& first) {
     workBeside(parts_.picture->window(), tr("Fitting the model"), false,
                [&, wishes = wishes_](const BesideProgress&) { fit = fitModel(scene, models, wishes); });
     if (fit.lightKnown) scene.exposure = 1.0;
-    scene.groundShadow = fit.kind == ModelKind::Object;
+    scene.groundShadow = scene.ambientOcclusion = fit.kind == ModelKind::Object;
     const std::size_t before = parts_.document.position();
     parts_.editor.commit(label, [&](Scene& edited) { edited = scene; });
     exposureWaits_ = !fit.lightKnown;

@@ -24,7 +24,7 @@ StatusLine::StatusLine(QStatusBar* bar)
       stop_(new QToolButton(bar)),
       resume_(new QToolButton(bar)) {
   progress_->setRange(0, 100);
-  progress_->setFixedWidth(210);
+  progress_->setFixedWidth(300);
   clock_.start();
   stop_->setText(tr("Stop"));
   stop_->setToolTip(tr("Stops the capture until the scene changes again (Esc)"));
@@ -78,11 +78,34 @@ void StatusLine::setCountersShown(bool shown) {
   counters_->setVisible(shown);
 }
 
-void StatusLine::showProgress(double fraction) {
+QString StatusLine::workText(const WorkNow& now) {
+  // The bar puts numbers in the place of what begins with this sign.
+  const QString probe = QString::fromStdString(now.probe).remove('%');
+  switch (now.what) {
+    case WorkNow::What::Shadows:
+      return tr("Shadows of lamps");
+    case WorkNow::What::Coarse:
+      return tr("%1, coarse").arg(probe);
+    case WorkNow::What::Capture:
+      if (probe.isEmpty()) return tr("Sky");
+      return now.bounces > 1 ? tr("%1, bounce %2 of %3").arg(probe).arg(now.bounce).arg(now.bounces) : probe;
+    case WorkNow::What::Nothing:
+    case WorkNow::What::Rest:
+      break;
+  }
+  return tr("Capturing");
+}
+
+void StatusLine::showProgress(double fraction, const WorkNow& now) {
   const auto seconds = timeLeft_.update(fraction, 1e-3 * static_cast<double>(clock_.elapsed()));
   // What is left then is not counted: programs, each of which takes as long as the driver likes.
   const bool shaders = fraction >= 0.99;
-  const QString text = shaders ? tr("Preparing shaders") : tr("Capturing %p %");
+  const QString text = shaders ? tr("Preparing shaders") : workText(now) + ": %p %";
+  progress_->setToolTip(now.missing == 0 ? QString()
+                                         : tr("%1 of %2 probes do not show their own surroundings yet: the sky or few "
+                                              "texels stand in for them")
+                                               .arg(now.missing)
+                                               .arg(now.used));
   progress_->setFormat(seconds && !shaders ? text + ", " + QString::fromStdString(TimeLeft::text(*seconds)) : text);
   progress_->setValue(static_cast<int>(100.0 * fraction));
   progress_->show();

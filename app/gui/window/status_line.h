@@ -8,6 +8,7 @@
 #include "app/session/time_left.h"
 #include "filters/core/base/counters.h"
 #include "filters/vtk/frame/frame_count.h"
+#include "filters/vtk/probes/bake_state.h"
 
 class QLabel;
 class QProgressBar;
@@ -25,7 +26,7 @@ class StatusLine : public QObject {
   void showCounters(const Counters& counters);
   /// Off at first: they are for those who look into the program's work.
   void setCountersShown(bool shown);
-  void showProgress(double fraction);
+  void showProgress(double fraction, const WorkNow& now);
   void hideProgress(bool stopped);
   /// Of the picture on the screen: how many frames it is the mean of, or that it stands in for a better one.
   void showPicture(const FrameCount& frames, bool preview);
@@ -37,6 +38,7 @@ class StatusLine : public QObject {
   void resumeRequested();
 
  private:
+  static QString workText(const WorkNow& now);
   void setFailed(bool failed);
 
   QStatusBar* bar_;

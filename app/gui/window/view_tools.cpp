@@ -27,8 +27,8 @@
 #include "app/gui/window/panel_docks.h"
 #include "app/gui/window/probe_clipboard.h"
 #include "app/gui/window/status_line.h"
-#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
@@ -196,7 +196,7 @@ QImage ViewTools::barePicture() {
   try {
     const int shown = parts_.shownHandles.GetVisibility();
     parts_.shownHandles.VisibilityOff();
-    const AtEnd again([this, shown] { parts_.shownHandles.SetVisibility(shown); });
+    const ScopeExit again([this, shown] { parts_.shownHandles.SetVisibility(shown); });
     image = parts_.renderer.renderDisplay();
   } catch (const Error& error) {
     parts_.status.showError(QString::fromUtf8(error.what()));

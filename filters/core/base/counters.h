@@ -21,6 +21,7 @@ struct MirrorCounters {
 
 struct Counters {
   std::uint64_t facesCaptured = 0;     ///< of probes
+  std::uint64_t coarseFaces = 0;       ///< captured in few texels, shown until those of facesCaptured are there
   std::uint64_t facesReused = 0;       ///< of recaptured probes: copied from earlier maps that show the same
   std::uint64_t mapsLoaded = 0;        ///< probes (and sky) read from baked files instead of captured
   std::uint64_t skyFacesCaptured = 0;  ///< of the sky's own map
@@ -35,18 +36,19 @@ struct Counters {
   std::uint64_t sightsTraced = 0;      ///< probes whose lamps' visibilities were traced
   std::uint64_t sightRays = 0;         ///< rays traced for that
   std::uint64_t lampsSeenWhole = 0;    ///< lamps and light sources of such probes that nothing hides: no lookup
+  std::uint64_t opennessRays = 0;      ///< rays traced for ambient occlusion
   std::uint64_t sourcesFlattened = 0;  ///< captures laid out flat, to filter their fine levels on software renderers
   std::uint64_t mapsFlattened = 0;  ///< filtered chains laid out flat, for programs with constants on software drivers
-  std::uint64_t programsCompiled = 0;   ///< GL programs compiled; a released program counts again
-  std::uint64_t programsGivenBack = 0;  ///< surface programs released because nothing had been drawn with them for long
-  std::uint64_t surfacePrograms = 0;    ///< in the last frame: distinct surface programs
-  std::uint64_t programSwitches = 0;    ///< in the last frame: surfaces drawn with another program than the one before
-  std::uint64_t constantsFolded = 0;    ///< objects given a program with values at rest as constants, since the start
-  std::uint64_t constantsLeft = 0;      ///< of them: drawn without constants again, because a value had changed
+  std::uint64_t programsCompiled = 0;  ///< GL programs compiled; a released program counts again
+  std::uint64_t programsReleased = 0;  ///< surface programs released because nothing had been drawn with them for long
+  std::uint64_t surfacePrograms = 0;   ///< in the last frame: distinct surface programs
+  std::uint64_t programSwitches = 0;   ///< in the last frame: surfaces drawn with another program than the one before
+  std::uint64_t constantsFolded = 0;   ///< objects given a program with values at rest as constants, since the start
+  std::uint64_t constantsLeft = 0;     ///< of them: drawn without constants again, because a value had changed
   std::uint64_t renders = 0;
   std::array<std::uint64_t, 5> drawsByProbeCount{};  ///< in the last frame: draws that use 0, 1, 2, 3, 4 probes
-  std::uint64_t drawsLeftOut = 0;      ///< in the last frame: culled, as a frame of that view had shown nothing of them
-  bool skyLeftOut = false;             ///< was the sky culled as well?
+  std::uint64_t drawsCulled = 0;       ///< in the last frame: culled, as a frame of that view had shown nothing of them
+  bool skyCulled = false;              ///< was the sky culled as well?
   std::uint64_t drawsWithOpenSky = 0;  ///< in the last frame: draws that sample the sky through a probe's openings
   std::uint64_t drawsWithCoverage = 0;  ///< in the last frame: draws that sample coverage for a light's shadow
   std::uint64_t shadowMapsDrawn = 0;    ///< of moving objects, since the start

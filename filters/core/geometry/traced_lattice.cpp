@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "filters/math/shared/shared_math.h"
 
@@ -23,6 +24,8 @@ constexpr int kRaysOfAll = 1 << 18, kFewestRays = 128;
 // Light goes from node to node until less than this of it changes, and at most so often.
 constexpr double kNodesAtRest = 0.002;
 constexpr int kMostNodeBounces = 32;
+// A texel of the capture tells of a surface if it shows so much of any.
+constexpr float kLeastCover = 0.1f;
 
 // The end of a ray that the capture origin does not see: it scatters what the lattice itself has there.
 struct FarEnd {
@@ -63,6 +66,13 @@ class NodeTracer {
     }
     const auto side = static_cast<double>(means.faceSize());
     texelsPerRay_ = 6.0 * side * side / rays_;
+    if (!in.sky) return;
+    const CubeMap sky = plainMeans(*in.sky);
+    const auto skySide = static_cast<double>(sky.faceSize());
+    const double level = 0.5 * std::log2(std::max(6.0 * skySide * skySide / rays_, 1.0));
+    for (const glm::dvec3& direction : directions_) {
+      sky_.emplace_back(sky.fetch(glm::vec3(direction), static_cast<float>(level)));
+    }
   }
 
   TracedNode trace(const glm::vec3& place) const {
@@ -73,7 +83,9 @@ class NodeTracer {
       const auto hit = in_.lines->first(from, directions_[i]);
       met += hit ? 1 : 0;
       backs += hit && hit->back ? 1 : 0;
-      const glm::vec3 light = hit ? ofSurface(from, i, *hit, node.ends) : ofMap(directions_[i], texelsPerRay_);
+      const glm::vec3 light = hit            ? ofSurface(from, i, *hit, node.ends)
+                              : sky_.empty() ? glm::vec3(ofMap(directions_[i], texelsPerRay_))
+                                             : sky_[i];
       for (std::size_t k = 0; k < 9; ++k) node.sums[k] += basis_[i][k] * light;
     }
     node.known = backs <= kMostBacks * met;
@@ -94,9 +106,31 @@ class NodeTracer {
   }
 
  private:
-  glm::vec3 ofMap(const glm::dvec3& directionWorld, double texels) const {
+  glm::vec4 ofMap(const glm::dvec3& directionWorld, double texels) const {
     const glm::dvec3 inMap = in_.mapFromProbe * (glm::transpose(in_.worldFromProbe) * directionWorld);
-    return glm::vec3(means_.fetch(glm::vec3(inMap), static_cast<float>(0.5 * std::log2(std::max(texels, 1.0e-6)))));
+    return means_.fetch(glm::vec3(inMap), static_cast<float>(0.5 * std::log2(std::max(texels, 1.0e-6))));
+  }
+
+  // What a surface shows there; nothing where hardly any is to be seen in that texel.
+  std::optional<glm::vec3> ofCovered(const glm::dvec3& directionWorld, double texels) const {
+    const glm::vec4 seen = ofMap(directionWorld, texels);
+    if (!in_.open) return glm::vec3(seen);
+    if (seen.w < kLeastCover) return std::nullopt;
+    return glm::vec3(seen) / std::min(seen.w, 1.0f);
+  }
+
+  // Irradiance over pi of a sky that nothing hides.
+  glm::vec3 underSky(const glm::dvec3& normal) const {
+    glm::vec3 sum(0.0f);
+    for (std::size_t i = 0; i < sky_.size(); ++i) {
+      sum += static_cast<float>(std::max(glm::dot(normal, directions_[i]), 0.0)) * sky_[i];
+    }
+    return sum * (4.0f / static_cast<float>(rays_));
+  }
+
+  bool within(const glm::dvec3& inProbe) const {
+    const glm::vec3 p(inProbe), more = glm::vec3(0.01f) * (high_ - low_);
+    return glm::all(glm::greaterThanEqual(p, low_ - more)) && glm::all(glm::lessThanEqual(p, high_ + more));
   }
 
   glm::vec3 ofSurface(const glm::dvec3& from, std::size_t ray, const SightLines::Met& hit,
@@ -107,10 +141,16 @@ class NodeTracer {
     if (length > 0.0 && glm::dot(way, hit.normal) < 0.0 && !in_.lines->blocked(in_.originWorld, off, true)) {
       const double towards = std::max(-glm::dot(hit.normal, direction), 0.05);
       const double seen = -glm::dot(hit.normal, way) / length, ratio = hit.distance / length;
-      return ofMap(way / length, texelsPerRay_ * ratio * ratio * seen / towards);
+      const auto light = ofCovered(way / length, texelsPerRay_ * ratio * ratio * seen / towards);
+      if (light) return *light;
     }
-    if (const auto seen = throughOpening(from, direction, hit.distance)) return ofMap(*seen, texelsPerRay_);
+    if (const auto seen = throughOpening(from, direction, hit.distance)) {
+      if (const auto light = ofCovered(*seen, texelsPerRay_)) return *light;
+    }
     const glm::dvec3 inProbe = glm::transpose(in_.worldFromProbe) * (off - in_.originWorld);
+    if (!sky_.empty() && !within(inProbe) && !in_.lines->first(off, hit.normal)) {
+      return hit.albedo * (arriving(off, hit.normal) + underSky(hit.normal));
+    }
     ends.push_back({glm::vec3(inProbe), glm::vec3(hit.normal), hit.albedo, ray});
     return hit.albedo * arriving(off, hit.normal);
   }
@@ -176,6 +216,7 @@ class NodeTracer {
   std::vector<LampPolygon> polygons_;   // relative to the capture origin, world axes
   std::vector<glm::dvec3> directions_;  // world
   std::vector<std::array<float, 9>> basis_;
+  std::vector<glm::vec3> sky_;  // along each direction; empty: the capture shows it
 };
 
 // Nodes that are not known take the mean of those around them that are, layer by layer; all as they were if none is.
@@ -226,7 +267,7 @@ double changedBy(const DiffuseLattice& before, const DiffuseLattice& after) {
 
 bool LatticeSurroundings::operator==(const LatticeSurroundings& o) const {
   if (lines != o.lines || originWorld != o.originWorld || worldFromProbe != o.worldFromProbe ||
-      mapFromProbe != o.mapFromProbe || drawn.size() != o.drawn.size()) {
+      mapFromProbe != o.mapFromProbe || drawn.size() != o.drawn.size() || sky != o.sky || open != o.open) {
     return false;
   }
   if (lights != o.lights && !(lights && o.lights && *lights == *o.lights)) return false;
@@ -262,11 +303,14 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
       const std::array<glm::vec3, 9> sums = tracer.lit(nodes[node], before);
       for (std::size_t k = 0; k < 4 * DiffuseLattice::kParts; ++k) {
         lattice.texels[(k / 4) * count + node][static_cast<int>(k % 4)] =
-            k < 27 ? sums[k / 3][static_cast<int>(k % 3)] : 0.0f;
+            k < 27 ? sums[k / 3][static_cast<int>(k % 3)] : 1.0f;
       }
     });
     if (fills) fillNodes(lattice, known);
     if (changedBy(before, lattice) < kNodesAtRest) break;
+  }
+  for (std::size_t node = 0; node < count; ++node) {
+    if (fills && known[node] == 0) lattice.texels[(DiffuseLattice::kParts - 1) * count + node].w = 0.0f;
   }
   return lattice;
 }

@@ -21,14 +21,17 @@ struct LatticeSurroundings {
   std::shared_ptr<const SceneLamps> lamps;  ///< of the scene
   std::vector<std::size_t> drawn;           ///< those of them that are drawn as shapes, and left out of the map
   std::shared_ptr<const std::vector<Light>> lights;  ///< those that shine and are not counted with a lamp; may be null
+  /// What shines where a ray meets nothing, far away, along the world's axes; null: what the capture shows there.
+  std::shared_ptr<const CubeMap> sky;
+  bool open = false;  ///< the capture has no sky: it is premultiplied by its coverage
   bool operator==(const LatticeSurroundings& o) const;
 };
 
 /// `base`: the lattice by projection, whose nodes and format this has. What the capture origin sees of a ray's end is
 /// looked up in `means` (plainMeans() of the capture without lamps). What it does not see scatters, by the mean albedo
-/// of its material, the light of lamps and light sources that reach it and what the lattice itself has there: light
-/// goes from node to node until less than 0.2 % of it changes, at most 32 times. Nodes within things take the mean of
-/// their neighbours.
+/// of its material, the light of lamps, light sources and suns that reach it and what the lattice itself has there:
+/// light goes from node to node until less than 0.2 % of it changes, at most 32 times; out of the box, under the sky,
+/// the sky's light. Nodes within things take the mean of their neighbours.
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,
                              int rays = 1024);
 

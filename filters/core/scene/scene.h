@@ -257,6 +257,7 @@ enum class Background {
   Environment,  ///< the sky
   Blurred,      ///< the sky as a rough surface reflects it
   Plain,        ///< a grey backdrop, brighter in the middle
+  Color,        ///< one colour, Scene::backgroundColor
 };
 
 struct Scene {
@@ -273,7 +274,9 @@ struct Scene {
   double exposure = 1.0;        ///< factor of linear light before tone mapping and the display's transfer curve
   Tone tone = Tone::None;
   Background background = Background::Environment;
-  bool groundShadow = false;  ///< below everything, in the picture only
+  glm::vec3 backgroundColor{0.6f};  ///< linear, 0 to 1; displayed as it is, whatever the exposure
+  bool groundShadow = false;        ///< below everything, in the picture only
+  bool ambientOcclusion = false;    ///< the scene occludes its own sky
   Energy energy = Energy::Single;
   LampForm lamps = LampForm::Shapes;
 

@@ -67,12 +67,21 @@ const std::vector<FieldRow<Scene>>& sceneFields() {
       field<&Scene::background>("background", "", "What a picture shows where nothing stands; probes see the sky.")
           .choose({{"environment", "the sky"},
                    {"blurred", "the sky as a rough surface reflects it"},
-                   {"plain", "a grey backdrop"}})
+                   {"plain", "a grey backdrop"},
+                   {"color", "one colour, `backgroundColor`"}})
+          .changing({&Changes::exposure}),
+      field<&Scene::backgroundColor>(
+          "backgroundColor", "", "What `color` shows, linear: the display's own colour, whatever exposure and tone.")
+          .within(0, 1)
           .changing({&Changes::exposure}),
       field<&Scene::groundShadow>("groundShadow", "",
                                   "Everything together casts a soft shadow of the sky's light on a plane below it, in "
                                   "display colours only: no probe, mirror or linear picture shows it.")
           .changing({&Changes::exposure}),
+      field<&Scene::ambientOcclusion>("ambientOcclusion", "",
+                                      "What stands in the scene hides the sky from its own hollows and contacts, where "
+                                      "the sky alone lights it; probes show it without.")
+          .changing({&Changes::lights}),
       field<&Scene::energy>("energy", "",
                             "What becomes of light that meets more than one microfacet of a rough surface.")
           .choose({{"single", "it is lost: rough metals darken"},

@@ -27,6 +27,12 @@ const std::vector<SurfaceViewRow>& surfaceViews() {
       {"face", "Face hit", "", "The face of the box that the reflected ray hits: -x +x -y +y -z +z.",
        ViewKind::Category, 0, 5},
       {"lookups", "Lookups", "", "Cubemap lookups at this pixel.", ViewKind::Scalar, 0, 8},
+      {"diffuse-light", "Diffuse light", "radiance",
+       "Irradiance over pi of probes, lamps as shapes and sky: what a white matte surface would show.", ViewKind::Light,
+       0, 1},
+      {"node-validity", "Node validity", "",
+       "Weight of lattice nodes with light of their own: 0 where all nodes around lie within things and are filled.",
+       ViewKind::Scalar, 0, 1},
   };
   return rows;
 }

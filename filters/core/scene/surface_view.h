@@ -13,6 +13,7 @@ enum class ViewKind {
   Picture,   ///< no debug view
   Scalar,    ///< a number, through a colour map, with a scalar bar
   Color,     ///< three numbers, shown as red, green, blue
+  Light,     ///< radiance, shown with exposure and tone as the picture is
   Category,  ///< one colour for each of a few values
 };
 

@@ -16,7 +16,7 @@ std::vector<MetPoint> metPoints(const FitPlace& place, const ReflectedRays& refl
   constexpr int kAround = 2048;
   const glm::dmat3 boxFromWorld = glm::transpose(worldFromBox);
   std::vector<MetPoint> points;
-  for (const glm::dvec3& direction : evenDirections(kAround)) {
+  for (const glm::dvec3& direction : fibonacciDirections(kAround)) {
     const std::optional<SurfaceHit> hit = place.captured.first(originWorld, direction);
     if (!hit) continue;
     points.push_back({boxFromWorld * (hit->distance * direction), boxFromWorld * hit->normalWorld, 0.5 / kAround});

@@ -40,7 +40,7 @@ bool inside(const Probe& probe, const glm::dvec3& position) {
 
 double clearance(const SurfaceRays& rays, const glm::dvec3& position) {
   double nearest = 1e300;
-  for (const glm::dvec3& direction : evenDirections(96)) {
+  for (const glm::dvec3& direction : fibonacciDirections(96)) {
     if (const std::optional<SurfaceHit> hit = rays.first(position, direction)) {
       nearest = std::min(nearest, hit->distance);
     }

@@ -21,7 +21,7 @@ double medianOf(std::vector<double>& values) {
 
 double walledAround(const SurfaceRays& rays, const glm::dvec3& originWorld) {
   double all = 0.0, walls = 0.0;
-  for (const glm::dvec3& direction : evenDirections(kLooks)) {
+  for (const glm::dvec3& direction : fibonacciDirections(kLooks)) {
     if (std::abs(direction.y) > 0.5) continue;
     all += 1.0;
     const std::optional<SurfaceHit> hit = rays.first(originWorld, direction);
@@ -33,7 +33,7 @@ double walledAround(const SurfaceRays& rays, const glm::dvec3& originWorld) {
 bool insideOfSolid(const SurfaceRays& rays, const glm::dvec3& originWorld) {
   std::vector<double> near, beyond;
   double fronts = 0.0;
-  for (const glm::dvec3& direction : evenDirections(kLooks)) {
+  for (const glm::dvec3& direction : fibonacciDirections(kLooks)) {
     const std::optional<SurfaceHit> hit = rays.first(originWorld, direction);
     if (!hit || !hit->back) continue;
     near.push_back(hit->distance);

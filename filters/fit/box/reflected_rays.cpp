@@ -59,14 +59,14 @@ std::vector<glm::dvec3> standingEyes(const FitPlace& place, const Probe& probe) 
   std::vector<glm::dvec3> eyes;
   const Lit lit(place, probe);
   for (int i = 1; i <= kTries && eyes.size() < kEyes; ++i) {
-    const double angle = 2.0 * std::acos(-1.0) * evenlySpread(i, 2);
+    const double angle = 2.0 * std::acos(-1.0) * vanDerCorput(i, 2);
     const glm::dvec3 level(std::cos(angle), 0.0, std::sin(angle));
     const std::optional<SurfaceHit> wall = place.captured.first(probe.origin, level);
     if (!wall) continue;
-    const glm::dvec3 stand = probe.origin + level * (wall->distance * 0.9 * std::sqrt(evenlySpread(i, 3)));
+    const glm::dvec3 stand = probe.origin + level * (wall->distance * 0.9 * std::sqrt(vanDerCorput(i, 3)));
     const std::optional<SurfaceHit> floor = place.captured.first(stand, {0.0, -1.0, 0.0});
     if (!floor) continue;
-    const double height = std::max(floor->distance, 1.2 + 0.6 * evenlySpread(i, 5));
+    const double height = std::max(floor->distance, 1.2 + 0.6 * vanDerCorput(i, 5));
     const glm::dvec3 eye = stand + glm::dvec3(0.0, std::min(height, 1.8) - floor->distance, 0.0);
     if (lit(eye)) eyes.push_back(eye);
   }
@@ -126,7 +126,7 @@ Collector seenReflections(const FitPlace& place, const Probe& probe, int count, 
   const int tries = 6 * count;
   for (int i = 1; i <= tries && static_cast<int>(collected.size()) < count; ++i) {
     const int index = first + i;
-    const double u = evenlySpread(index, 2), v = evenlySpread(index, 3);
+    const double u = vanDerCorput(index, 2), v = vanDerCorput(index, 3);
     EyeRay eye;
     if (standing) {
       eye = {eyes[static_cast<std::size_t>(index) % eyes.size()], sphereDirection(u, v)};
@@ -158,12 +158,12 @@ Collector evenRays(const FitPlace& place, const Probe& probe, int count, int fir
   Collector collected(place);
   for (int i = 1; i <= 4 * count && static_cast<int>(collected.size()) < count; ++i) {
     const int index = first + i;
-    const glm::dvec3 out = sphereDirection(evenlySpread(index, 2), evenlySpread(index, 3));
+    const glm::dvec3 out = sphereDirection(vanDerCorput(index, 2), vanDerCorput(index, 3));
     const std::optional<SurfaceHit> wall = place.captured.first(probe.origin, out);
     if (!wall) continue;
     ReflectedRay ray;
-    ray.from = probe.origin + out * (wall->distance * std::cbrt(evenlySpread(index, 5)));
-    ray.along = sphereDirection(evenlySpread(index, 7), evenlySpread(index, 11));
+    ray.from = probe.origin + out * (wall->distance * std::cbrt(vanDerCorput(index, 5)));
+    ray.along = sphereDirection(vanDerCorput(index, 7), vanDerCorput(index, 11));
     ray.weight = 1.0;
     if (lit(ray.from)) collected.follow(ray);
   }

@@ -14,7 +14,7 @@ namespace boxprobe {
 DistanceRays::DistanceRays(const CubeMap& distance, const glm::dvec3& originWorld, const glm::dmat3& worldFromMap)
     : distance_(distance), origin_(originWorld), worldFromMap_(worldFromMap), bounds_{originWorld, originWorld} {
   const DistanceCube cube(distance_);
-  for (const glm::dvec3& direction : evenDirections(4096)) {
+  for (const glm::dvec3& direction : fibonacciDirections(4096)) {
     const double seen = cube.fetchDistance(glm::vec3(direction));
     farthest_ = std::max(farthest_, seen);
     const glm::dvec3 position = origin_ + worldFromMap_ * (seen * direction);

@@ -6,7 +6,7 @@
 
 namespace boxprobe {
 
-std::vector<glm::dvec3> evenDirections(int count, double turn) {
+std::vector<glm::dvec3> fibonacciDirections(int count, double turn) {
   const double pi = std::acos(-1.0), golden = pi * (3.0 - std::sqrt(5.0));
   std::vector<glm::dvec3> directions;
   directions.reserve(static_cast<std::size_t>(count));
@@ -23,7 +23,7 @@ glm::dvec3 sphereDirection(double u, double v) {
   return {radius * std::cos(angle), y, radius * std::sin(angle)};
 }
 
-double evenlySpread(int index, int base) {
+double vanDerCorput(int index, int base) {
   double value = 0.0, share = 1.0;
   for (; index > 0; index /= base) {
     share /= base;

@@ -28,8 +28,8 @@ constexpr int kRegionRays = 8192;
 std::vector<MetPoint> uprightHits(const SurfaceRays& rays, const glm::dmat3& worldFromAxes, const Box& within) {
   std::vector<MetPoint> hits;
   for (int i = 1; i <= kRegionRays; ++i) {
-    const glm::dvec3 share(evenlySpread(i, 2), evenlySpread(i, 3), evenlySpread(i, 5));
-    const double angle = 2.0 * std::acos(-1.0) * evenlySpread(i, 7);
+    const glm::dvec3 share(vanDerCorput(i, 2), vanDerCorput(i, 3), vanDerCorput(i, 5));
+    const double angle = 2.0 * std::acos(-1.0) * vanDerCorput(i, 7);
     const glm::dvec3 from = worldFromAxes * (within.min + share * within.size());
     const glm::dvec3 along(std::cos(angle), 0.0, std::sin(angle));
     const std::optional<SurfaceHit> hit = rays.first(from, along);
@@ -69,7 +69,7 @@ std::optional<WalledRegion> walledRegion(const SurfaceRays& rays) {
   std::vector<double> heights;
   const glm::dvec3 up(0.0, 1.0, 0.0);
   for (int i = 1; i <= kRegionRays / 4; ++i) {
-    const glm::dvec3 share(evenlySpread(i, 2), evenlySpread(i, 3), evenlySpread(i, 5));
+    const glm::dvec3 share(vanDerCorput(i, 2), vanDerCorput(i, 3), vanDerCorput(i, 5));
     const glm::dvec3 from = axes * (region.bounds.min + share * region.bounds.size());
     const std::optional<SurfaceHit> above = rays.first(from, up), below = rays.first(from, -up);
     if (above && below && above->back == below->back) heights.push_back(above->distance + below->distance);

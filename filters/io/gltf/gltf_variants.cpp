@@ -29,7 +29,7 @@ int variantMaterial(const tinygltf::Primitive& primitive, int variant) {
   const tinygltf::Value* mappings = arrayIn(primitive.extensions, "mappings");
   for (std::size_t i = 0; mappings != nullptr && i < mappings->ArrayLen(); ++i) {
     const tinygltf::Value& mapping = mappings->Get(static_cast<int>(i));
-    if (!mapping.IsObject() || !mapping.Has("variants") || !mapping.Get("variants").IsArray()) continue;
+    if (!mapping.IsObject()) continue;
     const tinygltf::Value& variants = mapping.Get("variants");
     for (std::size_t v = 0; v < variants.ArrayLen(); ++v) {
       const tinygltf::Value& index = variants.Get(static_cast<int>(v));

@@ -181,7 +181,7 @@ DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShap
       for (std::size_t k = 0; k < 9; ++k) sums[k] += ray.basis[k] * light;
     }
     for (std::size_t i = 0; i < 4 * DiffuseLattice::kParts; ++i) {
-      const float value = i < 27 ? sums[i / 3][static_cast<int>(i % 3)] : 0.0f;
+      const float value = i < 27 ? sums[i / 3][static_cast<int>(i % 3)] : 1.0f;  // the last: its light is its own
       lattice.texels[(i / 4) * nodeCount + node][static_cast<int>(i % 4)] = value;
     }
   });

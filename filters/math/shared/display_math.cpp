@@ -34,6 +34,21 @@ glm::vec3 toneMapped(const glm::vec3& light, Tone tone) {
   return glm::clamp(light, glm::vec3(0.0f), glm::vec3(1.0f));
 }
 
+glm::vec3 lightShownAs(const glm::vec3& shown, Tone tone) {
+  if (tone == Tone::None || tone == Tone::AsVtk) return shown;
+  constexpr float kLeast = 1.0e-4f, kMost = 64.0f;
+  constexpr int kSteps = 200;
+  glm::vec3 light = glm::max(shown, glm::vec3(kLeast));
+  for (int step = 0; step < kSteps; ++step) {
+    const glm::vec3 now = toneMapped(light, tone);
+    for (int c = 0; c < 3; ++c) {
+      const float factor = (shown[c] + kLeast) / (now[c] + kLeast);
+      light[c] = std::clamp(light[c] * std::sqrt(factor), kLeast * kLeast, kMost);
+    }
+  }
+  return light;
+}
+
 const char* toneFunction(Tone tone) {
   switch (tone) {
     case Tone::Neutral:

@@ -32,6 +32,10 @@ enum class Tone {
 /// Light on a display, 0 to 1, of the light of a scene times the exposure. AsVtk is as None.
 glm::vec3 toneMapped(const glm::vec3& light, Tone tone);
 
+/// The light that a tone shows as a colour, each channel from 0 to 1: found step by step, off by less than a step of 8
+/// bits where the tone has that colour, else the nearest that the steps come to.
+glm::vec3 lightShownAs(const glm::vec3& shown, Tone tone);
+
 /// Its name in shaders/shared/tone.glsl; empty for none.
 const char* toneFunction(Tone tone);
 

@@ -63,5 +63,7 @@ vec2 lampGlossy(const LampPolygon* lamp, vec3 position, LampLobe lobe);
 vec3 latticePlace(LatticeShape lattice, vec3 position);
 /// Irradiance over pi; `position` in the probe's frame, the unit normal in the world's axes.
 vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 n);
+/// Weight of the nodes around `position`, probe frame, that do not have their light from neighbours.
+float latticeKnown(LatticeShape lattice, vec3 position);
 
 }  // namespace boxprobe::shading

@@ -61,7 +61,7 @@ TruthColors estimated(std::size_t count, const std::vector<glm::dvec3>& offset, 
       PassMean& sum = sums[i];
       for (int pass = 0; pass < settings.mostPasses; ++pass) {
         bool exact = false;
-        sum.add(estimate(i, stirred(stirred(settings.seed + i) + static_cast<std::uint64_t>(pass)), &exact));
+        sum.add(estimate(i, hashBits(hashBits(settings.seed + i) + static_cast<std::uint64_t>(pass)), &exact));
         sum.exact = exact;
         if (exact) break;
         if (pass + 1 >= settings.leastPasses && sum.toneMappedVariance(offsetOf(i)) < target) break;
@@ -115,7 +115,7 @@ TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors&
         return light;
       };
       sum += surroundings.reflectedOf(difference, lobe, layer, settings.raysPerPass, seed);
-      seed = stirred(seed);
+      seed = hashBits(seed);
     }
     return sum;
   };

@@ -131,7 +131,7 @@ Scattering CaptureLight::scattering(const SurfacePoint& s, const FresnelEnds& en
   Scattering result;
   if (energy_ == Energy::Single) return result;
   const auto back = [&](const glm::vec3& normal, float roughness, const glm::vec3& f0) {
-    return glm::vec3(scatteredBack(glm::dvec3(f0), glm::dot(normal, s.viewWorld), roughness));
+    return glm::vec3(multipleScatteringFactor(glm::dvec3(f0), glm::dot(normal, s.viewWorld), roughness));
   };
   result.base = back(s.normalWorld, s.roughness, ends.f0);
   if (s.coatStrength > 0.0f) result.coat = back(s.coatNormalWorld, s.coatRoughness, glm::vec3(s.coatF0));

@@ -46,7 +46,7 @@ glm::dvec2 lobeAlbedo(double nDotV, double roughness) {
   return (1.0 - b) * ((1.0 - a) * at(i, j) + a * at(i + 1, j)) + b * ((1.0 - a) * at(i, j + 1) + a * at(i + 1, j + 1));
 }
 
-glm::dvec3 scatteredBack(const glm::dvec3& f0, double nDotV, double roughness) {
+glm::dvec3 multipleScatteringFactor(const glm::dvec3& f0, double nDotV, double roughness) {
   const glm::dvec2 white = lobeAlbedo(std::max(nDotV, 1.0e-5), roughness);
   return 1.0 + f0 * (1.0 / (white.x + white.y) - 1.0);
 }

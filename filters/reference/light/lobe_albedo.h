@@ -13,6 +13,6 @@ glm::dvec2 lobeAlbedo(double nDotV, double roughness);
 
 /// The factor that adds back light that meets more than one microfacet (Turquin 2019): what a single reflection loses
 /// of white light comes out coloured by `f0`. Arguments as above; a smaller `nDotV` counts as grazing.
-glm::dvec3 scatteredBack(const glm::dvec3& f0, double nDotV, double roughness);
+glm::dvec3 multipleScatteringFactor(const glm::dvec3& f0, double nDotV, double roughness);
 
 }  // namespace boxprobe

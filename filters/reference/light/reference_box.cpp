@@ -199,7 +199,7 @@ glm::dvec3 BoxSurroundings::reflectedOf(const std::function<Light(const glm::dve
     addBright(l, lobe.at(l), seen.bright);
     return seen.even;
   });
-  const ShiftedPoints points(stirred(seed ^ 0x5bd1e995u));
+  const ShiftedPoints points(hashBits(seed ^ 0x5bd1e995u));
   for (int i = 0; i < towardsLamps; ++i) {
     const glm::dvec3 l = towardsLamp(chances, points[i]);
     const VisibleNormalLobe::Density of = lobe.at(l);
@@ -219,7 +219,7 @@ glm::dvec3 referenceBoxColor(const LitPoint& pixel, const ReferenceBoxMaps& maps
     const VisibleNormalLobe lobe = layer.lobe(glm::normalize(glm::dvec3(pixel.surface.viewWorld)));
     if (exact != nullptr) *exact = *exact && lobe.mirror();
     color += surroundings.reflected(lobe, layer, rays, seed);
-    seed = stirred(seed);
+    seed = hashBits(seed);
   }
   return color;
 }

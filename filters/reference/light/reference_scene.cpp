@@ -74,7 +74,7 @@ glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm:
   glm::dvec3 sum(0.0);
   for (const ReflectingLayer& layer : reflectingLayers(surface, light_->energy())) {
     sum += reflected(layer, glm::normalize(glm::dvec3(surface.viewWorld)), away, sees, rays, seed);
-    seed = stirred(seed);
+    seed = hashBits(seed);
   }
   if (surface.finish && surface.finish->hasSheen()) {
     sum += static_cast<double>(surface.occlusion) * sheenReflected(surface, away, sees, rays, seed);
@@ -137,7 +137,7 @@ glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dv
     addSky(direction, lobe.at(direction), bright);
     return all - bright;
   });
-  const ShiftedPoints lampPoints(stirred(seed ^ 0x5bd1e995u));
+  const ShiftedPoints lampPoints(hashBits(seed ^ 0x5bd1e995u));
   for (int i = 0; i < towardsLamps; ++i) {
     const LampTriangles::Towards lamp = lamps_.towards(away, lampPoints[i]);
     const VisibleNormalLobe::Density of = lobe.at(lamp.direction);
@@ -145,7 +145,7 @@ glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dv
     const auto hit = tracer_.firstHit(away, lamp.direction, sees);
     if (hit && lamp.meets(*hit)) add(of, lamps_.density(*hit), sent(*hit, away, sees));
   }
-  const ShiftedPoints skyPoints(stirred(seed ^ 0x1b873593u));
+  const ShiftedPoints skyPoints(hashBits(seed ^ 0x1b873593u));
   for (int i = 0; i < towardsSky; ++i) {
     const glm::dvec3 direction = brightSky_->towards(skyPoints[i]);
     const VisibleNormalLobe::Density of = lobe.at(direction);
@@ -192,10 +192,10 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
           (static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)) *
               16 +
           static_cast<std::uint64_t>(k);
-      const std::uint64_t seed = stirred(stirred(stirred(settings.seed) + place) + static_cast<std::uint64_t>(pass));
+      const std::uint64_t seed = hashBits(hashBits(hashBits(settings.seed) + place) + static_cast<std::uint64_t>(pass));
       if (passes > 0.0) {
         pixel.color += passes * (glm::dvec3(surface.emissive) +
-                                 glass.seen(*hit, glm::normalize(direction), plan.raysPerPass, stirred(seed)));
+                                 glass.seen(*hit, glm::normalize(direction), plan.raysPerPass, hashBits(seed)));
         pixel.exact = pixel.exact && smoothGlass(static_cast<double>(surface.roughness));
         if (passes == 1.0) continue;
       }

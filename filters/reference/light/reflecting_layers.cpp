@@ -25,7 +25,8 @@ double grazing(double cosine) {
 
 glm::dvec3 scattered(const ReflectingLayer& layer, const glm::vec3& view, Energy energy) {
   if (energy == Energy::Single) return glm::dvec3(1.0);
-  return scatteredBack(glm::dvec3(layer.fresnel.f0), glm::dot(layer.normalWorld, glm::dvec3(view)), layer.roughness);
+  return multipleScatteringFactor(glm::dvec3(layer.fresnel.f0), glm::dot(layer.normalWorld, glm::dvec3(view)),
+                                  layer.roughness);
 }
 
 }  // namespace

@@ -51,13 +51,13 @@ glm::dvec3 meanEmission(const Material& material) {
 
 }  // namespace
 
-Proportion::Proportion(const std::vector<double>& weights) {
+DiscreteDistribution::DiscreteDistribution(const std::vector<double>& weights) {
   double sum = 0.0;
   sums_.reserve(weights.size());
   for (const double weight : weights) sums_.push_back(sum += std::isfinite(weight) ? std::max(weight, 0.0) : 0.0);
 }
 
-std::size_t Proportion::at(double& u) const {
+std::size_t DiscreteDistribution::at(double& u) const {
   const double wanted = u * sums_.back();
   auto found = std::upper_bound(sums_.begin(), sums_.end(), wanted);
   if (found == sums_.end()) --found;
@@ -91,7 +91,7 @@ PathSky::PathSky(const Scene& scene, std::shared_ptr<const ImageRgbaF> image)
   if (mean_ > 0.0) {
     for (double& weight : weights) weight += 0.02 * mean_;
   }
-  cells_ = Proportion(weights);
+  cells_ = DiscreteDistribution(weights);
 }
 
 double PathSky::cellAngle() const {
@@ -172,7 +172,7 @@ PathLights::PathLights(const Scene& scene, const PathScene& triangles, std::shar
       power.push_back(shines * lamp.area * (lamp.both ? 2.0 : 1.0));
     }
   }
-  byPower_ = Proportion(power);
+  byPower_ = DiscreteDistribution(power);
   for (const Light& light : scene.lights) {
     Source source;
     source.light = light;
@@ -196,7 +196,7 @@ PathLights::PathLights(const Scene& scene, const PathScene& triangles, std::shar
   for (double& kind : kinds) {
     if (kind > 0.0) kind = std::max(kind, 0.25 * most);
   }
-  kinds_ = Proportion(kinds);
+  kinds_ = DiscreteDistribution(kinds);
 }
 
 std::optional<PathLights::Aim> PathLights::aimLamp(const glm::dvec3& from, double which, const glm::dvec2& u) const {

@@ -16,9 +16,9 @@
 namespace boxprobe {
 
 /// Draws indices in proportion to weights; never one of weight 0.
-class Proportion {
+class DiscreteDistribution {
  public:
-  explicit Proportion(const std::vector<double>& weights);
+  explicit DiscreteDistribution(const std::vector<double>& weights);
   bool empty() const { return sums_.empty() || sums_.back() <= 0.0; }
   double whole() const { return sums_.empty() ? 0.0 : sums_.back(); }
   /// The index at `u` in [0, 1); `u` is rescaled to [0, 1) over that index's share.
@@ -46,7 +46,7 @@ class PathSky {
   std::shared_ptr<const ImageRgbaF> image_;
   double turn_ = 0.0;  ///< radians
   double mean_ = 0.0;
-  Proportion cells_;
+  DiscreteDistribution cells_;
 };
 
 class PathLights {
@@ -104,9 +104,9 @@ class PathLights {
   PathSky sky_;
   std::vector<Source> sources_;
   std::vector<Lamp> lamps_;
-  Proportion byPower_;                    ///< lamps
+  DiscreteDistribution byPower_;          ///< lamps
   std::vector<std::vector<int>> lampOf_;  ///< per object and triangle; -1: none
-  Proportion kinds_;                      ///< lamps, sky, each source
+  DiscreteDistribution kinds_;            ///< lamps, sky, each source
   bool unlit_ = false;                    ///< unlit surfaces emit: rays meet them by chance only
 };
 

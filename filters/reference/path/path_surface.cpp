@@ -113,7 +113,7 @@ class Textured {
 /// Set for camera rays: a filter of a scene gets Embree's query only through its context.
 thread_local bool eyeAsks = false;
 
-void leaveOut(const RTCFilterFunctionNArguments* args) {
+void skipHit(const RTCFilterFunctionNArguments* args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   const auto& object = *static_cast<const TracedObject*>(args->geometryUserPtr);
@@ -192,7 +192,7 @@ PathScene::PathScene(TriangleScene scene)
       std::memcpy(indices, object.indices.data(), 3 * triangles * sizeof(std::uint32_t));
       if (!object.material.doubleSided || object.material.alphaMode == AlphaMode::Mask) {
         rtcSetGeometryUserData(geometry, const_cast<TracedObject*>(&object));
-        rtcSetGeometryIntersectFilterFunction(geometry, leaveOut);
+        rtcSetGeometryIntersectFilterFunction(geometry, skipHit);
       }
     }
     rtcCommitGeometry(geometry);

@@ -30,7 +30,7 @@ glm::dvec3 bent(const glm::dvec3& direction, const glm::dvec3& facing, double ra
 }
 
 // Transmittance by Beer's law.
-glm::dvec3 leftAfter(const Material& m, double distance) {
+glm::dvec3 transmittance(const Material& m, double distance) {
   glm::dvec3 left(1.0);
   if (m.attenuationDistance <= 0.0f) return left;
   const double lengths = distance / static_cast<double>(m.attenuationDistance);
@@ -49,7 +49,7 @@ struct RefractionTracer::Path {
   std::uint64_t state = 0;
   bool rough = false;  ///< it has met a rough surface: from there on it is a single ray, not a tree
   double next() {
-    state = stirred(state + 1);
+    state = hashBits(state + 1);
     return static_cast<double>(state >> 11) * 0x1p-53;
   }
 };
@@ -61,12 +61,12 @@ glm::dvec3 RefractionTracer::seen(const TracedHit& hit, const glm::dvec3& direct
   glm::dvec3 sum(0.0);
   for (int i = 0; i < count; ++i) {
     Path path;
-    path.state = stirred(seed + static_cast<std::uint64_t>(i));
+    path.state = hashBits(seed + static_cast<std::uint64_t>(i));
     sum += meet(hit, direction, 1.0, 0, path);
   }
   const Material& m = tracer_.object(hit).material;
   // The eye is inside the glass.
-  const glm::dvec3 left = hit.backSide && !m.thin ? leftAfter(m, hit.distance) : glm::dvec3(1.0);
+  const glm::dvec3 left = hit.backSide && !m.thin ? transmittance(m, hit.distance) : glm::dvec3(1.0);
   return left * sum / static_cast<double>(count);
 }
 
@@ -178,7 +178,7 @@ glm::dvec3 RefractionTracer::follow(const glm::dvec3& origin, const glm::dvec3& 
       continue;
     }
     if (within < 0) return meet(*hit, direction, weight, depth, path);
-    const glm::dvec3 left = leftAfter(tracer_.object(*hit).material, glm::length(hit->positionWorld - origin));
+    const glm::dvec3 left = transmittance(tracer_.object(*hit).material, glm::length(hit->positionWorld - origin));
     return left * meet(*hit, direction, weight, depth, path);
   }
   return outside_(from, direction);

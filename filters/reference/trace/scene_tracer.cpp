@@ -109,7 +109,7 @@ class Attributes {
 };
 
 // Embree's filter for each triangle that a ray meets: skips back faces of single-sided surfaces, and masked-out texels.
-void leaveOut(const RTCFilterFunctionNArguments* args) {
+void skipHit(const RTCFilterFunctionNArguments* args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   const auto& object = *static_cast<const TracedObject*>(args->geometryUserPtr);
@@ -131,7 +131,7 @@ RTCGeometry makeGeometry(RTCDevice device, const TracedObject& object) {
     std::memcpy(indices, object.indices.data(), object.indices.size() / 3 * 3 * sizeof(std::uint32_t));
     if (!object.material.doubleSided || object.material.alphaMode == AlphaMode::Mask) {
       rtcSetGeometryUserData(geometry, const_cast<TracedObject*>(&object));
-      rtcSetGeometryIntersectFilterFunction(geometry, leaveOut);
+      rtcSetGeometryIntersectFilterFunction(geometry, skipHit);
     }
   }
   rtcCommitGeometry(geometry);

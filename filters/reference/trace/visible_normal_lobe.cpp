@@ -31,7 +31,7 @@ glm::dvec3 across(const glm::dvec3& n) {
 
 }  // namespace
 
-std::uint64_t stirred(std::uint64_t value) {
+std::uint64_t hashBits(std::uint64_t value) {
   value += 0x9e3779b97f4a7c15u;
   value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
   value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
@@ -39,7 +39,7 @@ std::uint64_t stirred(std::uint64_t value) {
 }
 
 ShiftedPoints::ShiftedPoints(std::uint64_t seed)
-    : shift_(unitNumber(stirred(seed)), unitNumber(stirred(stirred(seed) + 1))) {}
+    : shift_(unitNumber(hashBits(seed)), unitNumber(hashBits(hashBits(seed) + 1))) {}
 
 glm::dvec2 ShiftedPoints::operator[](int index) const {
   constexpr double kPlastic = 1.32471795724474602596;

@@ -23,7 +23,7 @@ class ShiftedPoints {
 };
 
 /// Hashes `value` (the finalizer of splitmix64), for seeds from pixel numbers.
-std::uint64_t stirred(std::uint64_t value);
+std::uint64_t hashBits(std::uint64_t value);
 
 class VisibleNormalLobe {
  public:

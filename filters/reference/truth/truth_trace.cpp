@@ -41,14 +41,14 @@ ReferencePicture onFloor(const ReferenceScene& reference, const TruthIndex& inde
     // Steps of 3 and 5 spread the computed pixels over rows and columns.
     pixel.exact = !coveredByFloor(truth, at) || (3 * x + 5 * y) % effort.stride != 0;
     if (pixel.exact) return pixel;
-    const std::uint64_t seed = stirred(stirred(at) + static_cast<std::uint64_t>(pass));
+    const std::uint64_t seed = hashBits(hashBits(at) + static_cast<std::uint64_t>(pass));
     const ShiftedPoints places(seed);
     for (int k = 0; k < plan.positions; ++k) {
       const double across = x + places[k].x, down = y + places[k].y;
       const glm::dvec3 eye = view.origin(across, down);
       const auto hit = reference.tracer().firstHit(eye, view.direction(across, down));
       if (!hit || reference.tracer().object(*hit).material.unlit) continue;
-      pixel.color += estimate(*hit, eye, plan.raysEach, stirred(seed + static_cast<std::uint64_t>(k)));
+      pixel.color += estimate(*hit, eye, plan.raysEach, hashBits(seed + static_cast<std::uint64_t>(k)));
       pixel.alpha += 1.0;
     }
     pixel.color /= plan.positions;

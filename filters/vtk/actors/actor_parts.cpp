@@ -20,8 +20,8 @@
 #include <cmath>
 #include <set>
 
-#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/maps/content_hash.h"
 
@@ -619,7 +619,7 @@ bool ActorParts::begin(bool all) {
 bool ActorParts::step() {
   if (!working) return false;
   vtkRenderer* const before = state->drawing;
-  const AtEnd shown([this, before] {
+  const ScopeExit shown([this, before] {
     state->bound.clear();
     state->drawing = before;
   });
@@ -633,7 +633,7 @@ bool ActorParts::step() {
     if (progress) progress(probes.progress());
   } catch (const Error& failure) {
     state->counts.fail(failure.what());
-    probes.giveUp();  // not repeated before something changes
+    probes.cancelWork();  // not repeated before something changes
     working = false;
   }
   return working;
@@ -641,7 +641,7 @@ bool ActorParts::step() {
 
 void ActorParts::dropWork() {
   if (!working) return;
-  probes.giveUp();
+  probes.cancelWork();
   planned.reset();
   working = false;
 }

@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/io/cube/cube_file.h"
 #include "filters/vtk/actors/actor_probes.h"
 #include "filters/vtk/actors/vtkReflectionProbe.h"
@@ -344,7 +344,7 @@ bool vtkReflectionProbes::Update() {
     return false;
   }
   in.busy = true;
-  const boxprobe::AtEnd free([&in] { in.busy = false; });
+  const boxprobe::ScopeExit free([&in] { in.busy = false; });
   this->Sync();
   bool done = true;
   try {
@@ -369,7 +369,7 @@ bool vtkReflectionProbes::UpdateStep() {
     return false;
   }
   in.busy = true;
-  const boxprobe::AtEnd free([&in] { in.busy = false; });
+  const boxprobe::ScopeExit free([&in] { in.busy = false; });
   this->Sync();
   bool more = false;
   try {
@@ -393,7 +393,7 @@ bool vtkReflectionProbes::Capture() {
     return false;
   }
   in.busy = true;
-  const boxprobe::AtEnd free([&in] { in.busy = false; });
+  const boxprobe::ScopeExit free([&in] { in.busy = false; });
   this->Sync();
   bool done = false;
   try {

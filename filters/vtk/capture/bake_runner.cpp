@@ -95,6 +95,7 @@ bool BakeRunner::makeFaces() {
   const CpuTimer timer(times_->captureCpuSeconds);
   if (face_ == 0) {
     maps_ = std::make_shared<ProbeMaps>();
+    maps_->forTheTimeBeing = item_->coarse;
     maps_->capturedAt = item_->settings.originWorld;
     maps_->capturedRotation = item_->settings.rotationDegrees;
     source_.allocate(item_->faceSize, fullLevels(item_->faceSize), GL_RGBA16F);
@@ -142,8 +143,8 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
                           item_->sky ? nullptr : &maps_->distance);
   }
   Counters& counters = state_->counts.counters;
-  ++(item_->sky ? counters.skyFacesCaptured : counters.facesCaptured);
-  if (item_->sky) return;
+  ++(item_->sky ? counters.skyFacesCaptured : item_->coarse ? counters.coarseFaces : counters.facesCaptured);
+  if (item_->sky || item_->coarse) return;
   counters.objectsCaptured += source.objects;
   counters.objectsCulled += source.culled;
 }
@@ -212,6 +213,26 @@ void BakeRunner::release() {
   source_.release();
   from_.release();
   to_.release();
+}
+
+LevelFilter::LevelFilter(vtkOpenGLRenderWindow* window, Prefilter* prefilter)
+    : window_(window), prefilter_(prefilter) {}
+
+void LevelFilter::make(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings) {
+  window_->MakeCurrent();
+  source_.allocate(chain.faceSize(), fullLevels(chain.faceSize()), GL_RGBA16F);
+  prefilter_->copyLevel(chain, source_, 0);
+  prefilter_->makeSourceLevels(source_);
+  for (int level = 1; level < chain.levels(); ++level) {
+    if ((levels >> level & 1u) == 0) continue;
+    prefilter_->filterLevel(source_, chain, level, settings);
+  }
+  prefilter_->forgetSource();
+  source_.release();
+}
+
+void LevelFilter::release() {
+  source_.release();
 }
 
 }  // namespace boxprobe

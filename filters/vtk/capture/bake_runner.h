@@ -7,7 +7,6 @@
 
 #include "filters/math/cube/cube_map.h"
 #include "filters/vtk/capture/cube_capture.h"
-#include "filters/vtk/capture/level_filter.h"
 #include "filters/vtk/capture/prefilter.h"
 #include "filters/vtk/capture/work_times.h"
 
@@ -31,6 +30,7 @@ struct BakeItem {
   CaptureSettings settings;
   int faceSize = 256;
   int bounce = 1;               ///< of its probe: the bounce that its cost is added to
+  bool coarse = false;          ///< shown until other maps are there; nothing is derived from it
   bool sky = false;             ///< the sky's map: at infinity, so without distances
   bool reflectNothing = false;  ///< first bounce: no probe has been captured yet
   /// In a first bounce, use programs without probe lookups. Compiling these pays only for many faces.
@@ -52,6 +52,23 @@ struct BakeItem {
   std::function<void(bool)> drawing;
   /// Called with the finished maps, which nothing sees before.
   std::function<void(std::shared_ptr<const ProbeMaps>)> publish;
+};
+
+/// Filters missing levels of a chain later, from its level 0, which is the capture itself. Makes the same texels as
+/// filtering at once.
+class LevelFilter {
+ public:
+  /// `prefilter` provides the programs and must outlive this object.
+  LevelFilter(vtkOpenGLRenderWindow* window, Prefilter* prefilter);
+
+  /// `chain` holds its unblurred capture in level 0. Makes the window's context current.
+  void make(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings);
+  void release();
+
+ private:
+  vtkOpenGLRenderWindow* window_;
+  Prefilter* prefilter_;
+  CubeTexture source_;
 };
 
 class BakeRunner {

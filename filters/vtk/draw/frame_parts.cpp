@@ -24,10 +24,11 @@ void leaveOutTextures(std::string& text) {
 
 }  // namespace
 
-void leaveOut(std::string& fragment, FrameParts parts) {
+void removeParts(std::string& fragment, FrameParts parts) {
   if ((parts & kReflectionPart) != 0) {
     replaceEach(fragment, "float remaining = bpShareOut(position);", "return light;\n  float remaining = 0.0f;");
   }
+  if ((parts & kOpennessPart) != 0) replaceEach(fragment, "#define BP_OPENNESS 1", "#define BP_OPENNESS 0");
   if ((parts & kLampsPart) != 0) replaceEach(fragment, "Lo += ", "if (false) Lo += ");
   if ((parts & kMaterialPart) != 0) leaveOutTextures(fragment);
   // Keeps the exposure: our programs are recognized by that uniform, and their samplers are set.

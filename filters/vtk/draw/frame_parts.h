@@ -15,11 +15,12 @@ enum FramePart : unsigned {
   kRasterPart = 32u,     ///< only vertices
   kObjectPart = 64u,     ///< not drawn
   kGroundPart = 128u,    ///< the ground's shadow
+  kOpennessPart = 256u,  ///< what hides the sky from places of the scene itself
 };
 using FrameParts = unsigned;  ///< of FramePart
 
 /// Removes the parts from a surface's fragment shader, which is spliced but still writes `gl_FragData` as VTK's own
 /// text does.
-void leaveOut(std::string& fragment, FrameParts parts);
+void removeParts(std::string& fragment, FrameParts parts);
 
 }  // namespace boxprobe

@@ -37,7 +37,7 @@ vtkSmartPointer<vtkTexture> plainTexture(const SurfaceTexture& given) {
 
 }  // namespace
 
-void givePlainSurface(const SurfaceMaterial& surface, vtkProperty* property, vtkPolyData* data) {
+void applyPlainSurface(const SurfaceMaterial& surface, vtkProperty* property, vtkPolyData* data) {
   const auto texture = [&](SurfaceSlotIndex slot) { return surface.slots[slot].texture.get(); };
   vtkPointData* points = data->GetPointData();
   if (vtkDataArray* uv = points->GetArray("bpUv0")) points->SetTCoords(uv);

@@ -10,6 +10,6 @@ class vtkProperty;
 namespace boxprobe {
 
 /// Adds textures to the property, and coordinates and tangents to the data; both keep their other values.
-void givePlainSurface(const SurfaceMaterial& surface, vtkProperty* property, vtkPolyData* data);
+void applyPlainSurface(const SurfaceMaterial& surface, vtkProperty* property, vtkPolyData* data);
 
 }  // namespace boxprobe

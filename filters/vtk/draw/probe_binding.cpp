@@ -172,7 +172,7 @@ std::string ProbeBinding::variantKey() const {
   if (rotated()) key += 'r';
   if (weights) key += shares.empty() ? 'w' : 'c';
   if (weights && onlyProbes) key += 'p';
-  if (sky) key += 's';
+  if (sky) key += openness ? 'S' : 's';
   if (diffuse) key += 'd';
   if (diffuse && shapes) key += lamps ? 'L' : 'l';
   if (lampLobes) key += 'g';
@@ -191,6 +191,7 @@ std::string ProbeBinding::variantKey() const {
   }
   for (const int light : shadowLights) key += " L" + std::to_string(light);
   for (const int light : movingLights) key += " M" + std::to_string(light);
+  for (const int light : sunLights) key += " S" + std::to_string(light);
   if (sights()) key += " v";
   for (const int light : sightLights) key += " V" + std::to_string(light);
   return key;

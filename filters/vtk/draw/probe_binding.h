@@ -26,6 +26,7 @@ struct DrawnProbe {
   bool open = false;               ///< the sky shows where the probe saw nothing, and such places exist
   ShCoefficients openSky{};        ///< diffuse light of the sky through openings, to be added to that of the maps
   std::uint32_t shadowLights = 0;  ///< one bit per light that casts shadows and is outside its box
+  bool seesSky = true;             ///< where its capture meets nothing, there is the sky
   bool imported = false;           ///< from a picture, which may have no coverage
   bool shapes = false;             ///< diffuse light comes from lamps as shapes and a lattice
   std::vector<std::size_t> lamps;  ///< indices of scene lamps that are drawn as shapes
@@ -51,11 +52,13 @@ struct ProbeBinding {
   static constexpr std::size_t kMaxLampsPerDraw = 16;  ///< of all its probes, by decreasing power
   bool weights = true;                                 ///< false: one probe, at full weight everywhere on the object
   bool sky = true;                                     ///< false: the sky has no share
+  bool openness = false;                               ///< the sky is occluded by the scene (ambientOcclusion)
   bool onlyProbes = false;                             ///< probes share the sky's part wherever one has weight
   std::vector<float> shares;  ///< for the whole object, in place of weights per pixel; empty: per pixel
   float skyShare = 1.0f;      ///< with `shares`
-  /// Lights that a probe's coverage shadows, and those of them with maps of moving objects; in the scene's order.
-  std::vector<int> shadowLights, movingLights;
+  /// Lights that a probe's coverage shadows, those with maps of moving objects, and suns with maps of objects that
+  /// stand still; in the scene's order.
+  std::vector<int> shadowLights, movingLights, sunLights;
   /// Light sources, in the scene's order, that are not visible from everywhere in a probe's box.
   std::vector<int> sightLights;
   std::size_t leftOut = 0;  ///< probes that reach the object beyond the maximum of a draw

@@ -22,10 +22,15 @@ LatticeSource latticeSource(const DrawState& state, const SceneLamps& lamps, con
   if (probe.open && state.resources.sky && state.resources.sky->openings) {
     source.sky = std::shared_ptr<const CubeMap>(state.resources.sky, &state.resources.sky->openings->reduced);
   }
-  // Not if it is derived continuously, or where the sky shows through, which the rays do not know.
-  if (!state.resources.sightLines || probe.realtime || source.sky) return source;
-  source.traced = {state.resources.sightLines, g.originWorld, g.worldFromProbe,           g.mapFromProbe,
-                   state.resources.lamps,      probe.lamps,   state.resources.looseLights};
+  // Not if it is derived continuously.
+  if (!state.resources.sightLines || probe.realtime) return source;
+  auto sky = source.sky;
+  if (!sky && probe.seesSky && state.resources.sky && state.resources.sky->openings) {
+    sky = std::shared_ptr<const CubeMap>(state.resources.sky, &state.resources.sky->openings->reduced);
+  }
+  source.traced = {
+      state.resources.sightLines,  g.originWorld,  g.worldFromProbe, g.mapFromProbe, state.resources.lamps, probe.lamps,
+      state.resources.looseLights, std::move(sky), probe.open};
   return source;
 }
 
@@ -41,7 +46,7 @@ LatticeHaste haste(const DrawState& state) {
 std::shared_ptr<const DiffuseLattice> probeLattice(const DrawState& state, const DrawnProbe& probe) {
   const SceneLamps* lamps = state.resources.lamps.get();
   const ProbeMaps* maps = probe.maps.get();
-  if (!probe.shapes || lamps == nullptr || maps == nullptr) return nullptr;
+  if (!probe.shapes || lamps == nullptr || maps == nullptr || maps->forTheTimeBeing) return nullptr;
   auto lattice = maps->lattice.of(maps->radiance, maps->distance, latticeSource(state, *lamps, probe), haste(state));
   // New maps of the probe use the previous lattice until theirs is ready.
   if (lattice)

@@ -45,7 +45,7 @@ struct TunedDraw {
   const ProgramRequest& request;
   const ProgramTraits& made;  ///< traits of the program it was last drawn with
   bool picture;               ///< it draws the picture, not a debug view or a mirror's heights
-  bool looksElsewhere;        ///< a mirror's picture or glass: it samples more than probes
+  bool samplesOtherPictures;  ///< a mirror's picture or glass: it samples more than probes
   bool refused;               ///< the driver refused the program, or the specialized one
 };
 

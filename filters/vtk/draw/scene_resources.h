@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <set>
 #include <vector>
@@ -10,11 +11,13 @@
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/geometry/sight_lines.h"
+#include "filters/core/geometry/sky_openness.h"
 #include "filters/math/sampling/filter_lobe.h"
 #include "filters/math/shared/display_math.h"
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/maps/lattice_atlas.h"
+#include "filters/vtk/maps/openness_texture.h"
 #include "filters/vtk/maps/probe_maps.h"
 #include "filters/vtk/maps/sight_atlas.h"
 
@@ -26,6 +29,16 @@ struct MovingShadow {
   int light = 0;
   GLuint texture = 0;
   glm::dmat4 mapFromWorld{1.0};
+};
+/// The shadow map of a directional light that asks for no shadows of its own: of objects that stand still.
+struct SunShadow {
+  int light = 0;
+  GLuint texture = 0;  ///< 0: not drawn yet
+  int size = 0;        ///< texels a side
+  glm::dmat4 mapFromWorld{1.0};
+  glm::vec2 apart{0.0f};     ///< taps of the filter, in the map's coordinates
+  float off = 0.0f;          ///< distance from the surface at which the map is sampled, scene units
+  std::vector<bool> shades;  ///< for each object: may anything cast a shadow on it?
 };
 /// The apparent size of a light that casts shadows.
 struct ShadowLight {
@@ -51,9 +64,12 @@ struct SceneResources {
   bool latticesBeside = false;                            ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
+  std::shared_ptr<const SkyOpenness> openness;  ///< null: all of the sky is open everywhere, or not traced yet
+  std::shared_ptr<OpennessTexture> opennessTexture = std::make_shared<OpennessTexture>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
-  std::set<int> shadowLightsInUse;        ///< indices of those that a draw uses
+  std::set<int> movingLightsInUse;        ///< indices of those whose shadows of moving objects a draw uses
   std::vector<MovingShadow> movingShadows;
+  std::vector<SunShadow> sunShadows;
 };
 
 }  // namespace boxprobe

@@ -14,7 +14,7 @@ namespace boxprobe {
 
 /// Makes them once; the context must be current. A driver without seamless cubemap filtering is reported in `counts`.
 void makeStaticTextures(vtkOpenGLRenderWindow* window, SceneResources& resources, FrameCounts& counts);
-/// Replaces the split-sum table; see SceneRenderer::lightAsVtk.
+/// Replaces the split-sum table; see SceneRenderer::useVtkLighting.
 void uploadSplitSumTable(vtkOpenGLRenderWindow* window, GLuint texture, int columns, int rows,
                          const std::vector<glm::vec2>& table);
 /// Makes it once, only if a technique needs it; the context must be current.

@@ -27,7 +27,7 @@ std::vector<std::string> skippedLines(const FrameReport& report) {
   };
   const std::size_t drawn = drawnObjects(report, [](const Object&) { return true; });
   say(report.objects.size() - drawn, "object is", "objects are", " out of view or hidden: not drawn");
-  if (report.skyLeftOut) lines.push_back("the sky behind everything shows nowhere: not drawn");
+  if (report.skyCulled) lines.push_back("the sky behind everything shows nowhere: not drawn");
   const auto without = [&](bool used) {
     return static_cast<std::size_t>(std::count_if(
         report.probes.begin(), report.probes.end(),

@@ -50,7 +50,7 @@ struct FrameReport {
   std::vector<ProbeUse> probes;
   std::vector<MirrorUse> mirrors;
   std::array<std::size_t, 5> drawsByProbeCount{};
-  bool skyLeftOut = false;      ///< the view is at rest, and objects cover all of it
+  bool skyCulled = false;       ///< the view is at rest, and objects cover all of it
   std::size_t variants = 0;     ///< among the objects that were drawn
   std::size_t mirrorBytes = 0;  ///< of the planar mirrors' pictures, not included in `bytes`
   std::size_t bytes = 0;        ///< of all maps, including those kept for undo

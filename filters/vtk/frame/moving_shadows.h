@@ -6,13 +6,7 @@
 #include <deque>
 #include <memory>
 
-#include "filters/vtk/draw/draw_state.h"
-#include "filters/vtk/frame/depth_geometry.h"
-#include "filters/vtk/gl/framebuffer.h"
-#include "filters/vtk/scene/scene_content.h"
-
-class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
+#include "filters/vtk/frame/shadow_map.h"
 
 namespace boxprobe {
 
@@ -29,19 +23,11 @@ class MovingShadows {
   void release();
 
  private:
-  struct Map {
-    GLuint texture = 0;
-    Framebuffer framebuffer;
-  };
-  void drawMap(Map& map, const glm::dmat4& mapFromWorld);
-
-  vtkOpenGLRenderWindow* window_;
   std::shared_ptr<DrawState> state_;
   const SceneContent* content_;
   bool stale_ = true;
-  DepthGeometry geometry_;
-  vtkShaderProgram* program_ = nullptr;
-  std::deque<Map> maps_;
+  ShadowMapPainter painter_;
+  std::deque<ShadowMap> maps_;
 };
 
 }  // namespace boxprobe

@@ -40,6 +40,10 @@ struct VtpFile {
 /// Throws InputError for invalid XML, other data than PolyData, and sizes that a file of this length cannot contain.
 VtpFile readVtpFile(const std::string& path);
 
+/// The values of an array in any encoding: exactly `wanted` values. Throws InputError with the array; nothing is
+/// decompressed before its size is known to match.
+std::vector<double> vtpValues(const VtpFile& file, const VtpArray& array, std::size_t wanted, const std::string& path);
+
 [[noreturn]] void failVtp(const std::string& path, const std::string& reason);
 
 }  // namespace boxprobe

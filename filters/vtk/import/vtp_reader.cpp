@@ -12,7 +12,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/vtk/import/polydata_mesh.h"
-#include "filters/vtk/import/vtp_values.h"
+#include "filters/vtk/import/vtp_file.h"
 
 namespace boxprobe {
 

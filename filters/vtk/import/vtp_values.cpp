@@ -1,5 +1,3 @@
-#include "filters/vtk/import/vtp_values.h"
-
 #include <lz4.h>
 #include <lzma.h>
 #include <zlib.h>
@@ -12,6 +10,7 @@
 #include <string_view>
 
 #include "filters/core/base/errors.h"
+#include "filters/vtk/import/vtp_file.h"
 
 namespace boxprobe {
 

@@ -52,7 +52,7 @@ FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, con
     if (line.drawn) variants.insert(line.variant);
     report.objects.push_back(std::move(line));
   }
-  report.skyLeftOut = counters.skyLeftOut;
+  report.skyCulled = counters.skyCulled;
   std::copy(counters.drawsByProbeCount.begin(), counters.drawsByProbeCount.end(), report.drawsByProbeCount.begin());
   report.variants = variants.size();
   report.bytes = probes.memoryBytes();

@@ -150,13 +150,24 @@ void SurfaceInspector::requireTold(const std::vector<vtkProp*>& props, const std
 
 void SurfaceInspector::readMovingMaps() {
   movingMaps_.clear();
-  for (const MovingShadow& shadow : state_->resources.movingShadows) {
-    MovingMap map{shadow.light, kMovingMapSize, {}, shadow.mapFromWorld};
-    map.depth.resize(std::size_t{kMovingMapSize} * kMovingMapSize);
-    const BoundTexture bound(window_, GL_TEXTURE_2D, shadow.texture);
+  sunMaps_.clear();
+  const auto read = [this](MovingMap map, GLuint texture) {
+    const auto side = static_cast<std::size_t>(map.size);
+    map.depth.resize(side * side);
+    const BoundTexture bound(window_, GL_TEXTURE_2D, texture);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, map.depth.data());
-    movingMaps_.push_back(std::move(map));
+    return map;
+  };
+  for (const MovingShadow& shadow : state_->resources.movingShadows) {
+    movingMaps_.push_back(
+        read({shadow.light, kMovingMapSize, {}, shadow.mapFromWorld, glm::dvec2(1.0 / kMovingMapSize), 0.0},
+             shadow.texture));
+  }
+  for (const SunShadow& sun : state_->resources.sunShadows) {
+    if (sun.texture == 0) continue;
+    sunMaps_.push_back(read(
+        {sun.light, sun.size, {}, sun.mapFromWorld, glm::dvec2(sun.apart), static_cast<double>(sun.off)}, sun.texture));
   }
 }
 
@@ -219,10 +230,12 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   }
   in.weights = binding.weights;
   in.sky = binding.sky;
+  in.diffuse = binding.diffuse;
   in.onlyProbes = binding.onlyProbes;
   in.shares = binding.shares;
   in.skyShare = binding.skyShare;
   in.skyMaps = onCpu(state_->resources.sky).get();
+  in.openness = state_->resources.openness;
   in.energy = content_->scene.energy;
   in.lights = content_->scene.lights;
   for (std::size_t i = 0; content_->lamps && i < content_->lamps->lamps.size(); ++i) {
@@ -248,6 +261,10 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.shadowLights = binding.shadowLights;
   in.sightLights = binding.sightLights;
   in.movingMaps = movingMaps_;
+  for (const MovingMap& map : sunMaps_) {
+    const auto& suns = binding.sunLights;
+    if (std::find(suns.begin(), suns.end(), map.light) != suns.end()) in.sunMaps.push_back(map);
+  }
   Explanation e = explainPixel(in);
   e.rendered = pixel.color;
   return e;

@@ -57,8 +57,9 @@ void readLevel0(const CubeTexture& texture, CubeMap& cube) {
   }
 }
 
-std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps) {
+std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps, bool forTheTimeBeing) {
   auto result = std::make_shared<ProbeMaps>();
+  result->forTheTimeBeing = forTheTimeBeing;
   writeAll(maps.radiance, GL_RGBA16F, result->radiance);
   writeAll(maps.distance, GL_R32F, result->distance);
   result->irradiance = maps.irradiance;

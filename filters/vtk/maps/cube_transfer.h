@@ -22,8 +22,8 @@ CubeMap readRadiance(const ProbeMaps& maps);
 /// Reads only level 0, into level 0 of `cube`, of the same face size.
 void readLevel0(const CubeTexture& texture, CubeMap& cube);
 
-/// The opposite direction. Maps without distances stay without.
-std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps);
+/// The opposite direction. Maps without distances stay without. `forTheTimeBeing`: see ProbeMaps.
+std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps, bool forTheTimeBeing = false);
 
 /// Uploads a sky's levels.
 std::shared_ptr<const ProbeMaps> upload(const SkyLevels& levels);

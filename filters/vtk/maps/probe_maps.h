@@ -11,11 +11,9 @@
 #include "filters/math/shared/lamp_math.h"
 #include "filters/math/technique/levels_read.h"
 #include "filters/vtk/gl/gl_objects.h"
-#include "filters/vtk/maps/coverage_texture.h"
+#include "filters/vtk/maps/derived_textures.h"
 #include "filters/vtk/maps/flat_texture.h"
 #include "filters/vtk/maps/lattice_maker.h"
-#include "filters/vtk/maps/light_texture.h"
-#include "filters/vtk/maps/relief_texture.h"
 
 namespace boxprobe {
 
@@ -33,6 +31,8 @@ struct ProbeMaps {
   glm::dvec3 capturedAt{0.0};
   /// Rotation of the box, in degrees, along whose axes the maps lie; irradiance is along the world's.
   glm::dvec3 capturedRotation{0.0};
+  /// Shown until others are there: no lattice is derived from them.
+  bool forTheTimeBeing = false;
   float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
   /// The levels of `radiance` that are filtered. Others hold plain means of the capture until something needs them; a
   /// lookup that comes too early may show these.
@@ -50,9 +50,9 @@ struct ProbeMaps {
   }
   /// Made at the first draw with a program that samples it (flat_texture.h).
   mutable FlatTexture flat;
-  /// Made when a draw first aims rays by brightness (light_texture.h).
+  /// Made when a draw first aims rays by brightness (derived_textures.h).
   mutable LightTexture light;
-  /// Made when a draw first follows rays by distances (relief_texture.h).
+  /// Made when a draw first follows rays by distances (derived_textures.h).
   mutable ReliefTexture relief;
   /// Made when a draw first needs diffuse light (lattice_maker.h).
   mutable LatticeMaker lattice;

@@ -135,8 +135,13 @@ std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, 
     for (const std::string& hidden : std::set<std::string>(probe.hides.begin(), probe.hides.end())) hash.add(hidden);
   }
   hash.add(world.lights);
-  // Captures of an open probe exclude the sky's light, which is added when the probe is sampled.
-  if (!std::holds_alternative<ClearToOpen>(probe.clear)) hash.add(world.sky);
+  // Captures of an open probe exclude the sky's light, which is added when the probe is sampled, unless lattices bring
+  // it.
+  if (!std::holds_alternative<ClearToOpen>(probe.clear)) {
+    hash.add(world.sky);
+  } else if (probe.bounces > 1 && !world.latticeSky.empty()) {
+    hash.add(world.latticeSky);
+  }
   for (const std::size_t i : objectsThatMeet(world, probe, meets)) {
     const CaptureObject& object = world.objects[i];
     hash.add(object.key);

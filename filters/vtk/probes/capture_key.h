@@ -53,6 +53,9 @@ struct CaptureWorld {
   std::string sky;  ///< skyKey
   std::string lights;
   bool lattices = false;  ///< later bounces take the diffuse light of probes from lattices
+  /// The sky whose light comes with lattices, whose nodes are traced to it: not in first captures of several, but in
+  /// later ones, those of ClearToOpen included. Empty: lattices know no sky.
+  std::string latticeSky;
 };
 
 /// `skyPixels`: the fingerprint of the sky's image, if it has one; `probes`: the scene's.

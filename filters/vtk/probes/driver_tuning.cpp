@@ -50,7 +50,7 @@ ProgramTraits DriverTuning::choose(const TunedDraw& draw) {
   }
   if (!draw.binding || !draw.picture) return traits;
   const bool tuned = (parts_ & kTunedFirstBounce) != 0;
-  if (tuned && pass.firstBounce && pass.firstBouncePrograms && !draw.looksElsewhere) {
+  if (tuned && pass.firstBounce && pass.firstBouncePrograms && !draw.samplesOtherPictures) {
     const bool same = draw.made.firstBounceOf == draw.binding;
     traits.firstBounce = same ? draw.made.firstBounce : draw.binding->forFirstBounce();
     traits.firstBounceOf = draw.binding;
@@ -102,7 +102,7 @@ std::uint64_t DriverTuning::uses(vtkShaderProgram* program, bool constants) {
 }
 
 void DriverTuning::frameEnded(vtkOpenGLRenderWindow* window) {
-  with_.state->counts.counters.programsGivenBack += cache_.trim(window);
+  with_.state->counts.counters.programsReleased += cache_.trim(window);
 }
 
 bool DriverTuning::known(const ProbeBinding& now, const ProbeBinding& next) const {

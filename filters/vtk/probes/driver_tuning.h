@@ -49,7 +49,7 @@ class DriverTuning : public ProgramTuning {
   /// Is there a program to compile, while nothing moves?
   bool pending() const;
   void prepareOne();
-  void giveUp() {
+  void cancelWork() {
     toPrepare_.clear();
     toMake_.clear();
   }

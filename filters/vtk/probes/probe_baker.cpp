@@ -10,6 +10,7 @@
 #include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "filters/vtk/probes/probe_binder.h"
+#include "filters/vtk/probes/stand_in.h"
 #include "filters/vtk/scene/scene_content.h"
 
 namespace boxprobe {
@@ -36,6 +37,19 @@ bool ProbeBaker::pending() const {
   return (graphics_ && graphics_->runner.pending()) || !with_.plan->jobs().empty();
 }
 
+bool ProbeBaker::standIn() {
+  if (!with_.plan->coarseFirst()) return false;
+  bool any = false;
+  for (std::size_t i = 0; i < with_.plan->entries().size(); ++i) {
+    const ProbeEntry& entry = with_.plan->entries()[i];
+    if (!entry.shown.empty() || with_.binder->drawn(i).maps || !with_.plan->stale(i)) continue;
+    const Probe& probe = with_.plan->entries().probe(i);
+    with_.binder->show(i, upload(standInMaps(with_.content->scene, with_.content->skyImage.get(), probe), true));
+    any = true;
+  }
+  return any;
+}
+
 bool ProbeBaker::step() {
   if (!graphics_->runner.pending() && !with_.plan->jobs().empty()) {
     const ProbeJob job = with_.plan->jobs().front();
@@ -56,7 +70,8 @@ int ProbeBaker::unitsLeft() const {
   int left = graphics_ ? -graphics_->runner.unitsDone() : 0;
   for (const ProbeJob& job : with_.plan->jobs()) {
     const bool read = job.kind == JobKind::File || job.kind == JobKind::Levels;
-    left += read ? 1 : BakeRunner::units(job.faceSize, job.kind == JobKind::Realtime);
+    const bool few = job.kind == JobKind::Realtime || job.kind == JobKind::Coarse;
+    left += read ? 1 : BakeRunner::units(job.faceSize, few);
   }
   return std::max(left, 0);
 }
@@ -66,9 +81,9 @@ void ProbeBaker::abort() {
   with_.plan->end();
 }
 
-void ProbeBaker::giveUp() {
+void ProbeBaker::cancelWork() {
   abort();
-  with_.plan->giveUp();
+  with_.plan->cancelWork();
   earlier_.clear();
   unitsDone_ = 0;
 }
@@ -187,14 +202,20 @@ FaceSource ProbeBaker::faceSource(const Probe& probe, int face) const {
 
 BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) {
   const Probe as = with_.plan->entries().probe(*with_.plan->entries().find(job.name));
-  const bool drag = job.kind == JobKind::Drag;
+  const bool coarse = job.kind == JobKind::Coarse, drag = job.kind == JobKind::Drag || coarse;
   BakeItem item;
   item.settings = captureSettings(as);
+  item.coarse = item.fewSteps = coarse;
+  if (coarse) item.settings.samplesPerTexelSide = 1;
   item.reflectNothing = !drag && job.bounce == 1;
   if (!drag && job.bounce > 1) {
     item.drawing = [this, job](bool begins) { begins ? seeBounce(job) : with_.binder->seeAgain(); };
   }
-  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = with_.binder->withoutSky(std::move(item.drawing));
+  // A sky that nothing hides would shine into rooms; nodes of lattices know what hides it.
+  const bool traced = !drag && !with_.plan->world().latticeSky.empty();
+  const bool first = traced && job.bounce == 1 && with_.plan->firstWithoutSky(*with_.plan->entries().find(job.name));
+  const bool open = std::holds_alternative<ClearToOpen>(as.clear) && !(traced && job.bounce > 1);
+  if (open || first) item.drawing = with_.binder->withoutSky(std::move(item.drawing));
   item.face = [this, job, as, drag, faces](int face) {
     FaceSource source;
     const auto at = with_.plan->entries().find(job.name);
@@ -278,6 +299,8 @@ void ProbeBaker::finish(MadeMaps made) {
     cache_.add(made.job.key, {}, std::move(made.maps));
   } else if (made.job.kind == JobKind::Drag) {
     publishDrag(std::move(made));
+  } else if (made.job.kind == JobKind::Coarse) {
+    publishCoarse(std::move(made));
   } else if (made.job.kind == JobKind::Realtime) {
     publishRealtime(std::move(made));
   } else {
@@ -293,6 +316,13 @@ void ProbeBaker::publishDrag(MadeMaps made) {
   // Dragged back to the original position: the final maps exist.
   const ProbeEntry& entry = with_.plan->entries()[*index];
   if (entry.shown != entry.wanted) show(*index, made.job.key, std::move(made.maps));
+}
+
+void ProbeBaker::publishCoarse(MadeMaps made) {
+  const auto index = with_.plan->entries().find(made.job.name);
+  if (!index) return;
+  with_.binder->addTint(*index, *made.maps);
+  if (with_.plan->entries()[*index].shown.empty()) show(*index, made.job.key, std::move(made.maps));
 }
 
 void ProbeBaker::publishRealtime(MadeMaps made) {

@@ -51,8 +51,11 @@ class ProbeBaker {
   /// Shows available maps, plans the others, and ends work in progress unless the new plan still needs it.
   void replan();
   bool pending() const;
+  /// Where coarse maps come first (ProbePlan::coarseFirst), gives all probes that show nothing a stand-in, at once.
+  /// False: there was none.
+  bool standIn();
   /// Captures at most one face, filters one level or reads one file; returns whether there was anything to do. Throws
-  /// WorkError if the driver refuses; giveUp() must follow.
+  /// WorkError if the driver refuses; cancelWork() must follow.
   bool step();
   /// Faces, levels and files: done since the last time there was nothing to do; below, those left in the plan.
   int unitsDone() const { return unitsDone_; }
@@ -60,7 +63,7 @@ class ProbeBaker {
   /// Ends the current job; the next step starts the first job of the plan.
   void abort();
   /// The same, and clears the plan.
-  void giveUp();
+  void cancelWork();
   void release();
 
  private:
@@ -79,6 +82,7 @@ class ProbeBaker {
   // Handles finished maps.
   void finish(MadeMaps made);
   void publishDrag(MadeMaps made);
+  void publishCoarse(MadeMaps made);
   void publishRealtime(MadeMaps made);
   void publishFinal(MadeMaps made);
   void showCached();

@@ -158,7 +158,10 @@ bool ProbeBinder::updateOpenings() {
     const bool open = asked && drawn.maps && openingsOf(*drawn.maps).any;
     changed |= drawn.open != open;
     drawn.open = open;
-    if (!open || !with_.state->resources.sky) continue;
+    if (!with_.state->resources.sky) continue;
+    // Nodes of diffuse light are traced to the sky, too.
+    if (drawn.seesSky && drawn.shapes && with_.content->sightLines) openingsOf(*with_.state->resources.sky);
+    if (!open) continue;
     const auto of = std::make_pair(drawn.maps, with_.state->resources.sky);
     if (probe.openSkyOf == of) continue;
     probe.openSkyOf = of;
@@ -182,6 +185,8 @@ void ProbeBinder::updateShadowLights() {
     DrawnProbe& drawn = *probes_[i].drawn;
     drawn.shadowLights = 0;
     drawn.imported = probe.mode == ProbeMode::Custom;
+    drawn.seesSky = !drawn.imported && (std::holds_alternative<ClearToSky>(probe.clear) ||
+                                        std::holds_alternative<ClearToOpen>(probe.clear));
     for (std::size_t light = 0; light < std::min(lights.size(), kMostShadowLights); ++light) {
       const bool asks = lights[light].shadows != LightShadows::None && lightOutside(lights[light], probe);
       if (asks) drawn.shadowLights |= 1u << light;
@@ -254,7 +259,7 @@ bool ProbeBinder::makeSight() {
   Counters& counters = with_.state->counts.counters;
   for (const SightWork::Made& made : sight_.made()) {
     counters.sightRays += made.sight->rays;
-    if (made.ofCapture) continue;
+    if (made.ofCapture || made.sight->rays == 0) continue;
     ++counters.sightsTraced;
     counters.lampsSeenWhole += made.sight->unshadowed;
   }
@@ -298,6 +303,7 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   binding->lighting = Lighting::Probes;
 
   binding->diffuse = !object.allMetal;
+  binding->openness = scene.ambientOcclusion;
   if (object.settings.probeUsage == ProbeUsage::Off) return binding;
   const Box bounds = worldBounds(object);
   std::vector<std::size_t> order = places_.meeting(bounds);
@@ -359,13 +365,18 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();
     if (costly && object.roughnessMax <= 0.0) technique.evaluation = parseTechnique("none")->evaluation;
   }
+  const bool moves = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                 [](const auto& entry) { return entry.second.dynamic && entry.second.visible; });
+  const auto at = static_cast<std::size_t>(&object - with_.content->objects.data());
+  for (const SunShadow& sun : with_.state->resources.sunShadows) {
+    if (at < sun.shades.size() && sun.shades[at]) binding->sunLights.push_back(sun.light);
+    if (moves) binding->movingLights.push_back(sun.light);
+  }
   for (std::size_t light = 0; light < std::min(scene.lights.size(), kMostShadowLights); ++light) {
     const bool asked = std::any_of(binding->probes.begin(), binding->probes.end(),
                                    [&](const auto& probe) { return (probe->shadowLights >> light & 1u) != 0; });
     if (!asked) continue;
     binding->shadowLights.push_back(static_cast<int>(light));
-    const bool moves = std::any_of(scene.objects.begin(), scene.objects.end(),
-                                   [](const auto& entry) { return entry.second.dynamic && entry.second.visible; });
     if (moves && scene.lights[light].shadows == LightShadows::CoverageAndMap)
       binding->movingLights.push_back(static_cast<int>(light));
   }
@@ -389,7 +400,7 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
 
 // By the probes that objects are drawn with, not those that reach them.
 void ProbeBinder::recordUse() {
-  with_.state->resources.shadowLightsInUse.clear();
+  with_.state->resources.movingLightsInUse.clear();
   std::vector<ObjectUse> uses;
   // Probes of other programs are captured whether or not they light anything.
   if (with_.state->resources.foreign) {
@@ -402,7 +413,7 @@ void ProbeBinder::recordUse() {
     ObjectUse use;
     use.lit = !object.unlit && object.settings.visible;
     if (const ProbeBinding* binding = object.pass->GetBinding()) {
-      with_.state->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
+      with_.state->resources.movingLightsInUse.insert(binding->movingLights.begin(), binding->movingLights.end());
       for (const auto& probe : binding->probes) {
         // During a drag an object may still be drawn with a probe that was removed.
         if (has(*probe)) use.probes.push_back(static_cast<std::size_t>(probe->index));

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "filters/math/cube/diffuse_lattice.h"
 #include "filters/vtk/gl/map_bytes.h"
 #include "filters/vtk/maps/content_hash.h"
 
@@ -33,17 +34,18 @@ int skyFaceSize(int imageColumns) {
 /// The memory of all probes in use when complete, including existing maps, and of making them.
 class MemoryNeed {
  public:
-  void add(const Probe& probe, const CustomPictures& pictures);
-  std::size_t bytes() const { return maps_ + scratch_; }
+  /// `lattices`: its diffuse light is that of a lattice.
+  void add(const Probe& probe, const CustomPictures& pictures, bool lattices);
+  std::size_t bytes() const { return maps_ + lattices_ + scratch_; }
   /// One line that says what exceeds that many bytes, and what to reduce.
   std::string error(std::size_t limitBytes) const;
 
  private:
-  std::size_t maps_ = 0, scratch_ = 0, count_ = 0;
+  std::size_t maps_ = 0, lattices_ = 0, scratch_ = 0, count_ = 0;
   int largest_ = 0;  ///< face size, texels
 };
 
-void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures) {
+void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures, bool lattices) {
   const bool custom = probe.mode == ProbeMode::Custom;
   const auto picture = custom ? pictures.picture(probe.name) : nullptr;
   const int size = picture ? picture->faceSize() : probe.faceSize;
@@ -52,11 +54,15 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures) {
   scratch_ = std::max(scratch_, captureScratchBytes(size));
   largest_ = std::max(largest_, size);
   ++count_;
+  if (!lattices) return;
+  const glm::ivec3 nodes = latticeNodes(glm::vec3(probe.box.size()), LatticeSettings{}.spacing);
+  lattices_ += static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) * DiffuseLattice::kParts * sizeof(glm::vec4);
 }
 
 std::string MemoryNeed::error(std::size_t limitBytes) const {
   return "the maps of " + std::to_string(count_) + " probes with faces of up to " + std::to_string(largest_) +
-         " texels need " + memoryText(bytes()) + " of texture memory, and there are " + memoryText(limitBytes) +
+         " texels " + (lattices_ > 0 ? "and " + memoryText(lattices_) + " of lattices " : std::string()) + "need " +
+         memoryText(bytes()) + " of texture memory, and there are " + memoryText(limitBytes) +
          " (BOXPROBE_TEXTURE_MEMORY, in MB, sets another limit); lower faceSize or bounces, or bake a share at a time "
          "(bake --shard)";
 }
@@ -280,7 +286,12 @@ std::string ProbePlan::faceKey(std::size_t index, int bounce, int face) const {
   hash.add(view.key);
   for (const std::string& key : lighting) hash.add(key);
   if (world_.lattices && bounce > 1 && !lighting.empty()) hash.add("by lattices");
+  if (firstWithoutSky(index) && bounce == 1) hash.add("before the sky");
   return hash.text();
+}
+
+bool ProbePlan::firstWithoutSky(std::size_t index) const {
+  return !world_.latticeSky.empty() && entries_.probe(index).bounces > 1 && !bounces_.sees(index).empty();
 }
 
 std::string ProbePlan::realtimeFaceKey(const Probe& probe, int face) const {
@@ -339,7 +350,33 @@ void ProbePlan::make() {
     }
   }
   if (!interactive_) planBounces();
+  if (coarseFirst()) planCoarse();
   planSky();
+}
+
+bool ProbePlan::coarseFirst() const {
+  if (!coarseFirst_ || !enabled_ || interactive_ || !targets_.empty()) return false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_.probe(i).mode == ProbeMode::Realtime) return false;
+  }
+  return true;
+}
+
+bool ProbePlan::coarsePending() const {
+  const auto coarse = [](const ProbeJob& job) { return job.kind == JobKind::Coarse; };
+  return (current_ && coarse(*current_)) || std::any_of(jobs_.begin(), jobs_.end(), coarse);
+}
+
+void ProbePlan::planCoarse() {
+  std::vector<ProbeJob> coarse;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const ProbeEntry& entry = entries_[i];
+    const Probe& p = entries_.probe(i);
+    if (!entry.shown.empty() || !stale(i) || !entries_.baked(i) || sources_.have(entry.wanted)) continue;
+    if (p.faceSize > kCoarseFaceSize)
+      coarse.push_back({JobKind::Coarse, p.name, 1, entry.wanted + kCoarse, kCoarseFaceSize});
+  }
+  jobs_.insert(jobs_.begin(), coarse.begin(), coarse.end());
 }
 
 bool ProbePlan::bakesAny() const {
@@ -414,7 +451,8 @@ bool ProbePlan::keepsCurrent() const {
 
 bool ProbePlan::capturesLast() const {
   const auto lasts = [](const ProbeJob& job) {
-    return job.kind != JobKind::Drag && job.kind != JobKind::File && job.kind != JobKind::Levels;
+    return job.kind != JobKind::Drag && job.kind != JobKind::Coarse && job.kind != JobKind::File &&
+           job.kind != JobKind::Levels;
   };
   return std::any_of(jobs_.begin(), jobs_.end(), lasts) || (current_ && lasts(*current_));
 }
@@ -427,7 +465,7 @@ bool ProbePlan::checkMemory(std::size_t limitBytes) {
   };
   MemoryNeed need;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (asked(i)) need.add(entries_.probe(i), sources_.pictures);
+    if (asked(i)) need.add(entries_.probe(i), sources_.pictures, world_.lattices);
   }
   memoryError_ = need.bytes() <= limitBytes ? std::string() : need.error(limitBytes);
   return memoryError_.empty();

@@ -36,6 +36,7 @@ enum class JobKind {
   Bounce,    ///< a bounce of a baked probe
   Realtime,  ///< a further round of a realtime probe
   Levels,    ///< of the sky, read from the file beside its picture
+  Coarse,    ///< of a probe that has nothing to show yet, in few texels
 };
 
 struct ProbeJob {
@@ -49,6 +50,10 @@ struct ProbeJob {
 
 /// Suffix of the keys of maps captured during a drag: they are shown at once but are not final.
 constexpr const char* kDuringDrag = " during a drag";
+
+/// The same for maps of few texels, shown until a probe's own are there.
+constexpr const char* kCoarse = " in few texels";
+constexpr int kCoarseFaceSize = 64;
 
 /// Sources of maps besides captures: maps made earlier, the folder of baked files, picture files, the levels beside a
 /// sky's picture.
@@ -207,6 +212,8 @@ class ProbePlan {
   const BounceKeys& bounces() const { return bounces_; }
   /// For one face (0 to 5) of a probe's bounce: equal keys mean equal texels of level 0. Empty: must not be reused.
   std::string faceKey(std::size_t index, int bounce, int face) const;
+  /// Is the first of its captures without the light of the sky, which comes with the lattices of later ones?
+  bool firstWithoutSky(std::size_t index) const;
   /// The same for a realtime probe, given as it was when its capture started, and for its maps of six such faces.
   std::string realtimeFaceKey(const Probe& probe, int face) const;
   static std::string realtimeKey(const Probe& probe, const FaceKeys& faces);
@@ -221,6 +228,12 @@ class ProbePlan {
   /// During a drag: baked probes are captured temporarily, with a single bounce.
   void setInteractive(bool interactive) { interactive_ = interactive; }
   bool interactive() const { return interactive_; }
+  /// Probes with nothing to show yet are captured in few texels before anything else.
+  void setCoarseFirst(bool coarse) { coarseFirst_ = coarse; }
+  /// Are they now? Not for files, and not beside realtime probes, whose captures see whatever is shown.
+  bool coarseFirst() const;
+  /// Is such a capture planned or in progress?
+  bool coarsePending() const;
   /// Names of baked probes to make, used or not, and nothing else; empty: whatever is needed.
   void setTargets(std::set<std::string> names) { targets_ = std::move(names); }
   const std::set<std::string>& targets() const { return targets_; }
@@ -238,7 +251,7 @@ class ProbePlan {
   const std::vector<ProbeJob>& jobs() const { return jobs_; }
   /// Does the probe show something else than it should, with work planned for it?
   bool stale(std::size_t index) const;
-  void giveUp() { jobs_.clear(); }
+  void cancelWork() { jobs_.clear(); }
 
   /// The current job; nothing between jobs.
   void begin(const ProbeJob& job) { current_ = job; }
@@ -264,6 +277,7 @@ class ProbePlan {
  private:
   BounceKeys::Input input(std::size_t index) const;
   BounceKeys askedBounces() const;
+  void planCoarse();
   void planSky();
   bool bakesAny() const;  ///< among the targets
   void planBounces();
@@ -274,7 +288,7 @@ class ProbePlan {
   CaptureWorld world_;
   BounceKeys bounces_;
   std::map<std::string, BakeRecord> records_;  ///< by view
-  bool enabled_ = true, interactive_ = false;
+  bool enabled_ = true, interactive_ = false, coarseFirst_ = false;
   std::set<std::string> targets_;
   std::string skyWanted_, skyShown_;
   int skyImageColumns_ = 0;

@@ -152,10 +152,10 @@ void ProbeSet::makeAnew(std::size_t index) {
   entry.again = true;
 }
 
-void ProbeSet::giveUp() {
+void ProbeSet::cancelWork() {
   levelsMade_ = 0;
-  baker_.giveUp();
-  tuning_.giveUp();
+  baker_.cancelWork();
+  tuning_.cancelWork();
 }
 
 std::optional<std::size_t> ProbeSet::toMeasure() const {
@@ -178,7 +178,10 @@ void ProbeSet::step() {
 }
 
 void ProbeSet::doOne() {
-  if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
+  if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return cancelWork();
+  // Shown meanwhile, and in no final picture.
+  if (baker_.standIn()) return;
+  if (plan_.coarsePending() && baker_.step()) return;
   // Before any capture, because shadows are part of it.
   if (sightPending()) {
     if (binder_.makeSight()) binder_.assign();
@@ -210,6 +213,33 @@ void ProbeSet::makeLevel() {
     again = true;
   }
   if (again) baker_.replan();
+}
+
+void ProbeSet::setCoarseFirst(bool coarse) {
+  plan_.setCoarseFirst(coarse);
+  if (plan_.entries().matched()) baker_.replan();
+}
+
+WorkNow ProbeSet::workNow() const {
+  WorkNow now;
+  now.what = WorkNow::What::Rest;
+  for (std::size_t i = 0; i < plan_.entries().size(); ++i) {
+    if (!plan_.entries()[i].needed()) continue;
+    ++now.used;
+    now.missing += plan_.stale(i) ? 1 : 0;
+  }
+  if (const auto& job = plan_.current()) {
+    now.what = job->kind == JobKind::Coarse ? WorkNow::What::Coarse : WorkNow::What::Capture;
+    now.probe = job->name;
+    const auto index = plan_.entries().find(job->name);
+    if (job->kind == JobKind::Bounce && index) {
+      now.bounce = job->bounce;
+      now.bounces = plan_.entries().probe(*index).bounces;
+    }
+  } else if (sightPending()) {
+    now.what = WorkNow::What::Shadows;
+  }
+  return now;
 }
 
 double ProbeSet::progress() const {

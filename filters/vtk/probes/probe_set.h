@@ -56,6 +56,8 @@ class ProbeSet {
 
   void setInteractive(bool interactive);
   void setEnabled(bool enabled);
+  /// See SceneRenderer::showCoarseFirst.
+  void setCoarseFirst(bool coarse);
   void setBakeTargets(const std::vector<std::string>& names);
   void useBakedFiles(const std::string& folder);
   /// Makes these again although nothing has changed; updateCaptures() must follow.
@@ -64,7 +66,7 @@ class ProbeSet {
   /// About pictures of custom probes and damaged baked files, one sentence each.
   std::vector<std::string> sourceRemarks() const;
   /// Drops all work until something changes.
-  void giveUp();
+  void cancelWork();
 
   /// The objects of the last frame, as indices: if there are many probes, only those that light one of these are made.
   /// Nothing: unknown, as if all were visible.
@@ -79,6 +81,7 @@ class ProbeSet {
   void step();
   /// From 0 to 1, of everything planned since there was nothing to do; below 1 while anything is pending.
   double progress() const;
+  WorkNow workNow() const;
 
   /// A probe's current maps; null if it has none, or does not exist.
   std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;

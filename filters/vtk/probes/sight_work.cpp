@@ -17,9 +17,7 @@ constexpr int kMostCaptureNodes = 4096;
 void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& scene, const Models& models,
                     const SightLinesMaker& lines) {
   Surroundings surroundings;
-  const bool any = lines && std::any_of(tasks.begin(), tasks.end(), [](const auto& task) {
-                     return task && !(task->lamps.empty() && task->sources.empty());
-                   });
+  const bool any = lines && std::any_of(tasks.begin(), tasks.end(), [](const auto& task) { return task.has_value(); });
   if (any) {
     surroundings.models = models;
     surroundings.files = scene.models;

@@ -24,8 +24,8 @@ class SightWork {
   SightWork(const SightWork&) = delete;
   SightWork& operator=(const SightWork&) = delete;
 
-  /// What may be wanted from now on: tasks, nothing for probes that need none. `lines` traces; null:
-  /// nothing is. What is known already is kept. want() follows.
+  /// What may be wanted from now on: tasks, nothing for probes that need none; one without lamps and light sources asks
+  /// for lines() alone. `lines` traces; null: nothing is. What is known already is kept. want() follows.
   void ask(std::vector<std::optional<SightTask>> tasks, const Scene& scene, const Models& models,
            const SightLinesMaker& lines);
   /// Which of the tasks are to be known; of the others nothing is traced. What runs goes on.

@@ -50,8 +50,8 @@ void vtkCulledRenderer::SetBackdrop(vtkProp* backdrop) {
   this->Still.forget();
 }
 
-void vtkCulledRenderer::SetLeavingOut(bool leavingOut) {
-  this->LeavingOut = leavingOut;
+void vtkCulledRenderer::SetHiddenCulling(bool culling) {
+  this->HiddenCulling = culling;
   this->Still.forget();
 }
 
@@ -157,7 +157,7 @@ void vtkCulledRenderer::DrawOthers(const std::vector<vtkProp*>& props, vtkFrameB
     vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(this->RenderWindow)->GetState();
     const vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
     const vtkOpenGLState::ScopedglScissor box(state);
-    const boxprobe::OcclusionQuery::Rectangle& shows = this->BackdropShows;
+    const boxprobe::OcclusionQuery::Rectangle& shows = this->BackdropRectangle;
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(shows.x, shows.y, shows.width, shows.height);
     this->Draw({backdrop, backdrop + 1}, fbo);
@@ -172,8 +172,8 @@ std::vector<vtkProp*> vtkCulledRenderer::Showing(const std::vector<vtkProp*>& pr
       showing.push_back(prop);
       continue;
     }
-    ++this->LeftOut;
-    this->BackdropLeftOut = this->BackdropLeftOut || prop == this->Backdrop;
+    ++this->CulledCount;
+    this->BackdropCulled = this->BackdropCulled || prop == this->Backdrop;
   }
   return showing;
 }
@@ -199,8 +199,8 @@ void vtkCulledRenderer::FindHidden(const std::vector<vtkProp*>& surfaces, bool b
     }
   }
   if (backdrop) {
-    this->BackdropShows = this->Test.farthestShows(this);
-    if (this->BackdropShows.width == 0) {
+    this->BackdropRectangle = this->Test.farthestShows(this);
+    if (this->BackdropRectangle.width == 0) {
       hidden.insert(this->Backdrop);
     }
   }
@@ -212,7 +212,7 @@ void vtkCulledRenderer::DrawStill(const std::vector<vtkProp*>& surfaces, const s
                                   vtkFrameBufferObjectBase* fbo) {
   const bool backdrop = std::find(others.begin(), others.end(), this->Backdrop) != others.end();
   bool asks = false;
-  if (this->LeavingOut && this->PreserveDepthBuffer == 0) {
+  if (this->HiddenCulling && this->PreserveDepthBuffer == 0) {
     std::vector<vtkProp*> concerned = surfaces;
     if (backdrop) {
       concerned.push_back(this->Backdrop);
@@ -243,8 +243,8 @@ std::vector<vtkProp*> vtkCulledRenderer::PropsOf(const std::vector<std::size_t>&
 }
 
 void vtkCulledRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo) {
-  this->LeftOut = 0;
-  this->BackdropLeftOut = false;
+  this->CulledCount = 0;
+  this->BackdropCulled = false;
   if (this->Culled.empty()) {
     const std::vector<vtkProp*> given(this->PropArray, this->PropArray + this->PropArrayCount);
     const std::vector<vtkProp*> ordered = this->Ordered(given);

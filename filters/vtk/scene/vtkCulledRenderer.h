@@ -43,14 +43,14 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   /** The prop that fills uncovered pixels, such as the sky; null: none. */
   void SetBackdrop(vtkProp* backdrop);
   /** true (default): in a view at rest, invisible surfaces and an invisible backdrop are culled. */
-  void SetLeavingOut(bool leavingOut);
+  void SetHiddenCulling(bool culling);
   /** Hidden props may be visible from now on, for a reason that no prop's redraw time indicates. */
   void ForgetHidden() { this->Still.forget(); }
   /** Number of props culled in the last frame because they are invisible; below: was the backdrop culled? */
-  std::size_t GetLeftOut() const { return this->LeftOut; }
-  bool GetBackdropLeftOut() const { return this->BackdropLeftOut; }
+  std::size_t GetCulledCount() const { return this->CulledCount; }
+  bool GetBackdropCulled() const { return this->BackdropCulled; }
   /** A rectangle around the visible pixels of the backdrop, to which it is clipped if the hidden props are known. */
-  boxprobe::OcclusionQuery::Rectangle GetBackdropShows() const { return this->BackdropShows; }
+  boxprobe::OcclusionQuery::Rectangle GetBackdropRectangle() const { return this->BackdropRectangle; }
 
   int UpdateGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
   void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
@@ -87,11 +87,11 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   bool DrawnHolds = false;  // for that view
   bool Culling = true;
   bool NearestFirst = true;
-  bool LeavingOut = true;
+  bool HiddenCulling = true;
   boxprobe::StillView Still;
   vtkProp* Backdrop = nullptr;
-  boxprobe::OcclusionQuery::Rectangle BackdropShows;  // if the hidden props of the view are known
-  std::size_t LeftOut = 0;
-  bool BackdropLeftOut = false;
+  boxprobe::OcclusionQuery::Rectangle BackdropRectangle;  // if the hidden props of the view are known
+  std::size_t CulledCount = 0;
+  bool BackdropCulled = false;
   std::vector<vtkProp*> Others, Array;
 };

@@ -1,6 +1,5 @@
-// Edits of another program's shader text that are never silent: each names the places it stands on, says how many there
-// should be, and is counted. Used by the splice (vtk_pbr_splice.h) and what goes before it; knows nothing of VTK's
-// text.
+// Edits of another program's shader text that cannot fail silently: each edit names its anchors, checks their number,
+// and is counted.
 #pragma once
 
 #include <string>
@@ -8,7 +7,7 @@
 
 namespace boxprobe {
 
-/// What one edit found in one program.
+/// Matches of one edit in one program.
 struct AnchorCount {
   std::string what;
   int found = 0;
@@ -16,20 +15,20 @@ struct AnchorCount {
 
 class AnchorEdits {
  public:
-  /// One of the words an anchor may have, and what takes their place.
+  /// One form of an anchor, and its replacement.
   struct Wording {
     std::string from, to;
   };
 
-  /// Replaces every place. Where there are not `wanted` of them over all wordings, nothing is replaced, the first
-  /// wording is what was sought, and no later edit does anything.
+  /// Replaces every match. Unless there are `wanted` matches over all wordings, nothing is replaced, the failure names
+  /// the first wording, and later edits do nothing.
   void replace(std::string& text, const std::string& what, const std::vector<Wording>& wordings, int wanted = 1);
-  /// The same, where any number of places will do; returns how many there were.
+  /// The same for any number of matches; returns their number.
   int replaceAny(std::string& text, const std::string& what, const std::vector<Wording>& wordings);
-  /// For what can be told without an edit.
+  /// Reports a failure that was found without an edit.
   void fail(const std::string& what, const std::string& sought, int found, int wanted);
 
-  /// Empty, or `what`, the line sought, how many places there were and should have been.
+  /// Empty, or `what`, the line sought, and the actual and expected number of matches.
   const std::string& failure() const { return failure_; }
   /// In the order of the edits.
   const std::vector<AnchorCount>& counts() const { return counts_; }
@@ -39,7 +38,7 @@ class AnchorEdits {
   std::vector<AnchorCount> counts_;
 };
 
-/// Places of `part` in `text`, none of which overlap.
+/// Number of non-overlapping occurrences of `part` in `text`.
 int countOf(const std::string& text, const std::string& part);
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// What shaders are told of the camera. Called by the probe pass and the sky when they draw; knows nothing of probes.
+// Camera uniforms.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@ class vtkCamera;
 
 namespace boxprobe {
 
-/// Rotation from view to world axes, in the order SetUniformMatrix3x3 takes: column after column.
+/// Rotation from view to world axes, column-major as for SetUniformMatrix3x3.
 std::array<float, 9> viewToWorldRotation(vtkCamera* camera);
 
-/// The same to axes that stand turned by `degrees` about world +Y: what a turned sky is looked up along.
+/// The same to axes rotated by `degrees` about world +Y, in which a rotated sky is sampled.
 std::array<float, 9> viewToTurnedRotation(vtkCamera* camera, double degrees);
 
 }  // namespace boxprobe

@@ -35,14 +35,14 @@ void addSky(NumberReader& to, const SceneResources& resources) {
   to.read("bpSkySh", 3, &sh[0].x, 9);
 }
 
-// The captured light of each slot: its levels, and its diffuse light as spherical harmonics.
+// Each slot's levels, and its diffuse light as spherical harmonics.
 void addLight(NumberReader& to, const DrawState& state, const ProbeBinding& binding) {
   const std::size_t count = binding.probes.size();
   SlotValues<float> intensity{}, maxLevel{};
   std::array<glm::vec3, 9 * kMostSlots> sh{};
   for (std::size_t i = 0; i < count; ++i) {
     const DrawnProbe& probe = *binding.probes[i];
-    // Without maps: no reflection, and the sky's diffuse light, which is the best guess there is.
+    // Without maps: no reflection, and the sky's diffuse light as the best guess.
     const ProbeMaps* maps = state.pass().firstBounce ? nullptr : probe.maps.get();
     const ProbeMaps* diffuse = maps != nullptr ? maps : state.resources.sky.get();
     intensity[i] = probe.geometry.intensity;
@@ -50,7 +50,7 @@ void addLight(NumberReader& to, const DrawState& state, const ProbeBinding& bind
     if (diffuse != nullptr) {
       std::copy(diffuse->irradiance.begin(), diffuse->irradiance.end(), sh.begin() + static_cast<long>(9 * i));
     }
-    // Not in a capture that goes without the sky.
+    // Not in a capture without the sky.
     if (maps != nullptr && probe.open && state.resources.sky) {
       for (std::size_t k = 0; k < 9; ++k) sh[9 * i + k] += probe.openSky[k];
     }
@@ -85,7 +85,7 @@ void addBoxes(NumberReader& to, const ProbeBinding& binding) {
   to.read("bpMapFromProbe", 9, &mapFromProbe[0][0].x, count);
 }
 
-// What not every binding has: parameters of its techniques, bevelled boxes, occlusion, shares in place of weights.
+// What only some bindings have: parameters of techniques, bevelled boxes, occlusion, shares in place of weights.
 void addChoices(NumberReader& to, const ProbeBinding& binding) {
   const std::size_t count = binding.probes.size();
   for (const ParameterRow* row : binding.parameters()) {
@@ -134,7 +134,7 @@ void readMaterial(NumberReader& to, const SurfaceMaterial& surface, vtkProperty*
   number("bpAlphaCutoff", surface.alphaCutoff);
   number("opacityUniform", property->GetOpacity());
   to.read("emissiveFactorUniform", floats(property->GetEmissiveFactor()));
-  // Vertices and edges are drawn in colours of their own by the same names.
+  // Vertices and edges have colours of their own in the same uniforms.
   if (property->GetVertexVisibility() == 0 && property->GetEdgeVisibility() == 0) {
     number("ambientIntensity", property->GetAmbient());
     number("diffuseIntensity", property->GetDiffuse());
@@ -163,8 +163,8 @@ void NumberUpload::read(const char* name, int components, const float* values, s
   if (components == 2) program->SetUniform2fv(name, n, reinterpret_cast<const float(*)[2]>(values));
   if (components == 3) program->SetUniform3fv(name, n, reinterpret_cast<const float(*)[3]>(values));
   if (components != 9 || !to_.used(name)) return;
-  // VTK sets one matrix a call; array elements have names of their own, but for the first. As the program was made:
-  // what a box is turned by, or against its maps, may have come to 0 since.
+  // VTK sets one matrix per call; array elements except the first have separate names. Follows the variant, because
+  // rotations may have become 0 since the program was made.
   for (std::size_t i = 0; i < count; ++i) {
     const std::string element = i == 0 ? name : std::string(name) + "[" + std::to_string(i) + "]";
     program->SetUniformMatrix3x3(element.c_str(), const_cast<float*>(values + 9 * i));

@@ -1,6 +1,6 @@
-// The numbers of a draw that stay the same between edits: of the sky and the probes that light it, and of its material.
-// Uploaded, or constants of a program that is made for them (draw/constants.h). What goes with the camera, or differs
-// between a capture and the picture by nature, is not among them.
+// The values of a draw that stay the same between edits: of its probes, the sky and its material. They are uploaded, or
+// constants of a specialized program (draw/constants.h). Excludes values that depend on the camera, or on whether it is
+// a capture.
 #pragma once
 
 #include "filters/vtk/draw/constants.h"
@@ -13,13 +13,13 @@ class vtkProperty;
 
 namespace boxprobe {
 
-/// Of the sky and the slots, as the pass under way sees them: during the first bounce no probe has light of its own.
+/// Of the sky and the slots, as seen by the current pass: in the first bounce probes have no light.
 void readLighting(NumberReader& to, const DrawState& state, const ProbeBinding& binding);
 
-/// Of the material: what VTK uploads from the property (9.1's names), and what our own code does from `surface`.
+/// Of the material: what VTK uploads from the property (with 9.1's names), and what our code reads from `surface`.
 void readMaterial(NumberReader& to, const SurfaceMaterial& surface, vtkProperty* property);
 
-/// Into the program's uniforms, those of `constants` apart; null: all.
+/// Uploads to the program's uniforms, except those in `constants`; null: all.
 class NumberUpload : public NumberReader {
  public:
   NumberUpload(const UniformUpload& to, const Constants* constants) : to_(to), constants_(constants) {}

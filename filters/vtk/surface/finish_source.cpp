@@ -22,7 +22,7 @@ std::string finishSwitches(const SurfaceMaterial& surface) {
   define(surface.finish.hasSheen(), "BP_SHEEN");
   define(surface.finish.hasFilm(), "BP_FILM");
   if (!surface.brushed()) return text;
-  // Light from all around keeps to the normal that the lookup is turned away from.
+  // Irradiance uses the normal that the lookup's normal was bent from.
   return text +
          "#define BP_ANISOTROPIC\nvec3 bpUnbentNormal = vec3(0.0f);  // view space\nvec3 bpFacing = vec3(0.0f);\n";
 }
@@ -48,7 +48,7 @@ std::string finishDeclarations(const SurfaceMaterial& surface) {
 void spliceFinish(std::string& text, const SurfaceMaterial& surface, int lamps, bool probes, bool underCoat,
                   AnchorEdits& edits) {
   if (!surface.finished()) return;
-  // A light at the eye is one without directions of its own; scenes without lights have a black one.
+  // A light at the eye has no direction of its own; scenes without lights have a black one.
   const bool headlight = text.find(kHeadlight) != std::string::npos;
   constexpr const char* kView = "float NdV = clamp(dot(N, V), 1e-5, 1.0);";
   edits.replace(text, "finish", {{kView, std::string(kView) + "\n  BpFinish bpFinish = bpFinishAt(N, NdV);"}});

@@ -1,5 +1,4 @@
-// Shader text of a material's finish (MaterialFinish): which of it a program has, and where VTK's physically based
-// shading takes it up. Written for the splice (vtk_pbr_splice.h).
+// Shader source for a material's finish (MaterialFinish), and its edits of VTK's physically based shading.
 #pragma once
 
 #include <string>
@@ -9,15 +8,15 @@
 
 namespace boxprobe {
 
-/// What probes' lighting is compiled with, before its own text; empty for a surface without a finish.
+/// Defines that precede the probes' lighting; empty for a surface without a finish.
 std::string finishSwitches(const SurfaceMaterial& surface);
 
-/// shaders/gpu/finish.glsl and what it needs; after the material's declarations.
+/// shaders/gpu/finish.glsl and its dependencies; follows the material's declarations.
 std::string finishDeclarations(const SurfaceMaterial& surface);
 
-/// Edits VTK's text after the lighting's anchors and before those of coats and of multiple scattering. `lamps`: as many
-/// as VTK has written in; `probes`: surroundings are looked up in probes and the sky; `underCoat`: a clear coat lets
-/// through what it leaves by bpCoatPasses.
+/// Edits VTK's text after the lighting's anchors and before those of coats and multiple scattering. `lamps`: number of
+/// lamps in VTK's text; `probes`: probes and sky are sampled; `underCoat`: a clear coat reduces the light by
+/// bpCoatPasses.
 void spliceFinish(std::string& text, const SurfaceMaterial& surface, int lamps, bool probes, bool underCoat,
                   AnchorEdits& edits);
 

@@ -22,8 +22,8 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
   if (program.surface != nullptr) text += finishSwitches(*program.surface);
   text += probes ? probeDeclarations(program.binding, program.output, program.mirror, program.flatMaps)
                  : std::string(shaderSource("gpu/output_uniforms.glsl"));
-  if (probes) text += coverageDeclarations(program.binding);
-  // What has no probes is compared with VTK's own pictures, to the bit.
+  if (probes) text += coverageDeclarations(program.binding) + shadowMapDeclarations(program.binding);
+  // Surfaces without probes are compared with VTK's own pictures, bit for bit.
   const bool quick = (program.facts & kQuickOutput) != 0 && program.binding.lighting != Lighting::Plain;
   text += displaySource(program.tone, quick) + joinShaderSources({"shared/light_falloff.glsl"});
   if (program.surface != nullptr) {
@@ -41,14 +41,14 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
 
 std::string fragmentOutput(const SurfaceProgram& program, const std::string& edges) {
   std::string text = program.binding.lighting == Lighting::Unlit ? "color = emissiveColor;\n" : "";
-  // Explained as it is, not mixed with what lies behind it.
+  // Explained by itself, not blended with what is behind.
   if (program.glass() && !program.debug()) text += shaderSource("gpu/glass_output.glsl");
   text += program.debug() ? "color = bpViewColor(color);\n" : "color = bpOutput(color);\n";
   text += edges;
   if (program.debug()) text += shaderSource("gpu/surface_output.glsl");
   if (program.output == SurfaceOutput::Heights) text += shaderSource("gpu/mirrored_output.glsl");
   if (program.output == SurfaceOutput::SpecularSeparate || program.output == SurfaceOutput::SpecularSeparateNone) {
-    // A surface without probes has nothing to keep apart, whatever it was asked.
+    // A surface without probes has no reflection to separate, even if requested.
     const bool sampled = program.probes() && program.output == SurfaceOutput::SpecularSeparate;
     text += std::string("#define BP_APART ") + (sampled ? "1\n" : "2\n");
     text += shaderSource("gpu/reflection_apart.glsl");

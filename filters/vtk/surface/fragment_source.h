@@ -1,5 +1,5 @@
-// Our own shader text of a surface's fragments as a whole: what is declared before VTK's code, and what becomes of the
-// colour at its end. Written for the splice (vtk_pbr_splice.h), which knows where in VTK's text it goes.
+// Our shader source for a surface's fragments: the declarations before VTK's code, and the output at its end.
+// vtk_pbr_splice.h inserts it.
 #pragma once
 
 #include <string>
@@ -13,33 +13,33 @@
 
 namespace boxprobe {
 
-/// What one program is written for.
+/// What one program is compiled for.
 struct SurfaceProgram {
   const ProbeBinding& binding;
-  const SurfaceMaterial* surface;  ///< null: the material is VTK's own
+  const SurfaceMaterial* surface;  ///< null: VTK's own material code
   SurfaceOutput output;
-  bool mirror;  ///< a planar mirror's picture is looked up
+  bool mirror;  ///< samples a planar mirror's picture
   LightForm form = LightForm::Single;
-  SurfaceFacts facts = 0;  ///< what the program leaves out; needs `surface`
-  /// Somebody else's actor: falloffs of lamps mean what they mean in VTK.
+  SurfaceFacts facts = 0;  ///< what the program omits; requires `surface`
+  /// An actor of another program: lamps have VTK's falloff.
   bool foreign = false;
-  /// Probes and sky are looked up in flat pictures of their maps (flat_texture.h).
+  /// Samples flat pictures of the maps of probes and sky (flat_texture.h).
   bool flatMaps = false;
-  /// Emissive factors show without an emissive texture.
+  /// Emissive factors apply without an emissive texture.
   bool emission = true;
   Tone tone = Tone::None;
 
   bool probes() const { return binding.lighting == Lighting::Probes; }
   bool debug() const { return output == SurfaceOutput::Debug; }
-  /// Is the split-sum table read?
+  /// Is the split-sum table sampled?
   bool table() const { return probes() || (form == LightForm::Multiple && binding.lighting == Lighting::Plain); }
   bool glass() const { return probes() && surface != nullptr && surface->glass.drawn; }
 };
 
 std::string fragmentDeclarations(const SurfaceProgram& program);
 
-/// From the colour in linear light, by the name `color`, to what the program writes. `edges`: code that colours visible
-/// edges, after the colour has been encoded.
+/// Converts linear light in `color` to the program's output. `edges`: code that colours visible edges, after the
+/// encoding.
 std::string fragmentOutput(const SurfaceProgram& program, const std::string& edges);
 
 }  // namespace boxprobe

@@ -14,8 +14,8 @@ int drawGlassPasses(vtkOpenGLState* state, const GlassSurface& glass, const std:
   state->vtkglDepthMask(GL_TRUE);
   int passes = 1;
   if (glass.walls) {
-    // Each wall once, by the face of it that looks at the eye; blended in any order, for a wall takes little. Their
-    // depth afterwards.
+    // Each wall once, by its face towards the eye; blended in any order, because a wall absorbs little. Depth
+    // afterwards.
     state->vtkglEnable(GL_CULL_FACE);
     state->vtkglCullFace(GL_BACK);
     state->vtkglDepthMask(GL_FALSE);
@@ -34,10 +34,10 @@ int drawGlassPasses(vtkOpenGLState* state, const GlassSurface& glass, const std:
     state->vtkglDepthMask(GL_TRUE);
     ++passes;
   } else {
-    // From within it is the back faces that are seen.
+    // From inside, back faces are visible.
     state->vtkglDisable(GL_CULL_FACE);
   }
-  // Its depth first: a face that another one hides would show through where it is blended.
+  // Depth first: otherwise hidden faces would show through blended ones.
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   draw(false);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -1,5 +1,4 @@
-// How one glass object is drawn: which faces in which pass, and its uniforms. Called by vtkProbeActor for materials
-// that transmit light. Knows no scene.
+// Draws one glass object: which faces in which pass, and its uniforms.
 #pragma once
 
 #include <functional>
@@ -11,12 +10,12 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
-/// Calls `draw` once a pass, with faces, depth and colours set for it; `colored` is false of a pass for depth alone.
-/// Returns how many were drawn. What is set is put back.
+/// Calls `draw` once per pass, with faces, depth and colour masks set; `colored` is false for a depth-only pass.
+/// Returns the number of passes. Restores the state.
 int drawGlassPasses(vtkOpenGLState* state, const GlassSurface& glass, const std::function<void(bool colored)>& draw);
 
-/// Uniforms of shaders/gpu/glass.glsl. `faceSize`: texels of the cubemap that is looked up; `shellUnit`: the texture
-/// unit of the shell, if it has one.
+/// Uniforms of shaders/gpu/glass.glsl. `faceSize`: texels of the sampled cubemap; `shellUnit`: the texture unit of the
+/// shell, if it has one.
 void uploadGlass(vtkShaderProgram* program, const GlassSurface& glass, const glm::dvec3& eyeWorld, int faceSize,
                  int shellUnit);
 

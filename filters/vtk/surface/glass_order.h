@@ -1,5 +1,4 @@
-// Which props are glass, and in which order they are drawn: after all that lies behind them. Called by the passes;
-// knows no scene.
+// Identifies glass props and sorts them: they are drawn after everything behind them.
 #pragma once
 
 #include <vector>
@@ -9,10 +8,10 @@ class vtkProp;
 
 namespace boxprobe {
 
-/// Is it drawn as glass now: a material that transmits light, lit by probes and sky?
+/// Is the prop drawn as glass now: a material that transmits light, lit by probes and sky?
 bool isGlass(vtkProp* prop);
 
-/// `props` with glass after all else, farthest first: what it is blended over has to be there.
+/// `props` with glass at the end, farthest first, because glass is blended over what is there.
 std::vector<vtkProp*> glassLast(const std::vector<vtkProp*>& props, vtkCamera* camera);
 
 }  // namespace boxprobe

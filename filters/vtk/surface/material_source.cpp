@@ -10,7 +10,7 @@ std::vector<Varying> varyings(const SurfaceMaterial& surface) {
   if (surface.uv[0]) list.push_back({"vec2", "bpUv0", "bpUv0"});
   if (surface.uv[1]) list.push_back({"vec2", "bpUv1", "bpUv1"});
   if (surface.colors) list.push_back({"vec4", "bpColor", "bpColor"});
-  // Normals go by the inverse transpose, tangents along with the surface.
+  // Normals use the inverse transpose, tangents the model matrix.
   if (surface.tangents)
     list.push_back({"vec4", "bpTangent", "vec4(transpose(inverse(normalMatrix)) * bpTangent.xyz, bpTangent.w)"});
   return list;
@@ -18,7 +18,7 @@ std::vector<Varying> varyings(const SurfaceMaterial& surface) {
 
 namespace {
 
-// The texture of another slot is looked up in its place.
+// The slot whose texture is sampled instead.
 int lookedUpFor(std::size_t slot, SurfaceFacts facts) {
   if (slot == kEmissiveSlot && (facts & kEmissionIsBase) != 0) return kBaseColorSlot;
   if (slot == kOcclusionSlot && (facts & kOcclusionInRoughMetal) != 0) return kRoughMetalSlot;

@@ -1,5 +1,4 @@
-// Our own shader text of a material: varyings, samplers and factors of its textures, and what makes it glass. Written
-// for the splice (vtk_pbr_splice.h); knows nothing of the text VTK writes, and no probe.
+// Shader source for a material: varyings, samplers and factors of its textures, and glass. vtk_pbr_splice.h inserts it.
 #pragma once
 
 #include <string>
@@ -10,19 +9,19 @@
 
 namespace boxprobe {
 
-/// One varying from the vertices to the fragments: "bpUv0" is the attribute, bpUv0F what the fragment reads.
+/// A varying: "bpUv0" is the attribute, bpUv0F the fragment's input.
 struct Varying {
   const char* type;
   const char* name;
-  const char* value;  ///< in the vertex shader
+  const char* value;  ///< expression in the vertex shader
 };
 std::vector<Varying> varyings(const SurfaceMaterial& surface);
 
-/// What the anchors of a material refer to (BP_ROUGHNESS, BP_..._FACTOR and the like), with shaders/gpu/material.glsl;
-/// what the facts make constant is so.
+/// The names that a material's anchors use (BP_ROUGHNESS, BP_..._FACTOR and the like), and shaders/gpu/material.glsl;
+/// values that facts determine are constants.
 std::string materialDeclarations(const SurfaceMaterial& surface, SurfaceFacts facts);
 
-/// shaders/gpu/glass.glsl and what it needs; after the probes' declarations.
+/// shaders/gpu/glass.glsl and its dependencies; follows the probes' declarations.
 std::string glassDeclarations(const GlassSurface& glass);
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// Single statements that vtkOpenGLPolyDataMapper::ReplaceShaderLight of VTK 9.1 writes, and what takes their place.
-// Newer versions' words are brought into these first (see vtk_text_forms.h).
+// Statements that vtkOpenGLPolyDataMapper::ReplaceShaderLight of VTK 9.1 writes, with their replacements. Newer
+// versions' text is first converted to 9.1's (see vtk_text_forms.h).
 #include "filters/vtk/surface/pbr_anchors.h"
 
 namespace boxprobe {
@@ -7,12 +7,12 @@ namespace boxprobe {
 const std::vector<Anchor>& viewAndOutputAnchors() {
   static const std::vector<Anchor> anchors = {
       {"view vector", {"vec3 V = normalize(-vertexVC.xyz);"}, {"vec3 V = bpViewVector(vertexVC.xyz);"}, false},
-      // d is at least a2; rounding makes it 0 where roughness is near 0 and the half vector is the normal: 0/0.
+      // d >= a2, but rounding makes it 0 for roughness near 0 and a half vector equal to the normal: 0/0.
       {"microfacet distribution",
        {"float d = (NdH * a2 - NdH) * NdH + 1.0;"},
        {"float d = max((NdH * a2 - NdH) * NdH + 1.0, max(a2, 1.0e-12));"},
        false},
-      // Occlusion is of light from all around (glTF 2.0, section 3.9.3); VTK darkens that of lamps, too.
+      // Occlusion concerns indirect light (glTF 2.0, section 3.9.3); VTK also darkens that of lamps.
       {"occlusion",
        {"color += Lo;\n  color = mix(color, color * ao, aoStrengthUniform);"},
        {"color = mix(color, color * ao, aoStrengthUniform);\n  color += Lo;"},
@@ -21,8 +21,8 @@ const std::vector<Anchor>& viewAndOutputAnchors() {
   return anchors;
 }
 
-// VTK 9.1 drops the emissive factor of a material without an emissive texture. Not to be put
-// right unasked in other people's properties: VTK's default is white, and does not show there.
+// VTK 9.1 ignores the emissive factor of a material without an emissive texture. Not corrected by default in other
+// programs' properties, because VTK's default factor is white.
 const std::vector<Anchor>& emissionAnchors() {
   static const std::vector<Anchor> anchors = {
       {"emission",
@@ -33,7 +33,7 @@ const std::vector<Anchor>& emissionAnchors() {
   return anchors;
 }
 
-// A material's textures and vertex colours, sampled here and not by VTK (see shaders/gpu/material.glsl).
+// Textures and vertex colours of a material, sampled by our code instead of VTK's (see shaders/gpu/material.glsl).
 const std::vector<Anchor>& materialAnchors() {
   static const std::vector<Anchor> anchors = {
       {"base colour",
@@ -100,7 +100,7 @@ const std::vector<Anchor>& lightingAnchors() {
   return anchors;
 }
 
-// VTK 9.1 masks lamps by roughness where Smith's term wants alpha.
+// VTK 9.1 uses roughness instead of alpha in Smith's masking term for lamps.
 const std::vector<Anchor>& maskingAnchors() {
   static const std::vector<Anchor> anchors = {
       {"lamps' masking",
@@ -111,8 +111,8 @@ const std::vector<Anchor>& maskingAnchors() {
   return anchors;
 }
 
-// A clear coat reflects its surroundings by Fresnel's term once; VTK 9.1 multiplies by that twice. It leaves its base
-// the rest; VTK dims the base too late, after it has added up the colour.
+// A clear coat's reflection is multiplied by Fresnel's term once; VTK 9.1 multiplies twice. The coat transmits the rest
+// to its base; VTK dims the base too late, after summing the colour.
 const std::vector<Anchor>& coatAnchors() {
   static const std::vector<Anchor> anchors = {
       {"base under a clear coat",
@@ -133,7 +133,7 @@ const std::vector<Anchor>& coatAnchors() {
   return anchors;
 }
 
-// What further reflections between microfacets bring back, of surroundings and of lamps by the same factor.
+// Multiple scattering, by the same factor for surroundings and lamps.
 const std::vector<Anchor>& scatteringAnchors() {
   static const std::vector<Anchor> anchors = {
       {"multiple scattering",
@@ -156,7 +156,7 @@ const std::vector<Anchor>& scatteringAnchors() {
   return anchors;
 }
 
-// Lamps as shapes join the mean light of the lobe, so that all that becomes of that becomes of theirs, too.
+// Lamps as shapes are added to the mean light of the lobe, so that all later factors apply to them as well.
 const std::vector<Anchor>& lampAnchors() {
   static const std::vector<Anchor> anchors = {
       {"lamps as shapes in the reflection",
@@ -182,8 +182,7 @@ const std::vector<Anchor>& lampAnchors() {
   return anchors;
 }
 
-// What a material that transmits light changes, in VTK's text with the lighting above in it (see
-// shaders/gpu/glass.glsl).
+// Changes for materials that transmit light, in VTK's text after the lighting's edits (see shaders/gpu/glass.glsl).
 const std::vector<Anchor>& glassAnchors() {
   static const std::vector<Anchor> anchors = {
       {"glass: lookups",

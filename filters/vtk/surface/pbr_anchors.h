@@ -1,17 +1,17 @@
 // The lines of VTK's physically based shading that the splice (vtk_pbr_splice.h) edits, as tables. Applied in order: a
-// later row may edit what an earlier one has put in.
+// later row may edit the replacement of an earlier one.
 #pragma once
 
 #include <vector>
 
 namespace boxprobe {
 
-/// In every physically based fragment shader of VTK 9.1, and in no other.
+/// Occurs in every physically based fragment shader of VTK 9.1, and in no other.
 constexpr const char* kPbrMark = "vec3 specularBrdf = F0 * brdf.r + F90 * brdf.g;";
 
 struct Anchor {
   const char* what;
-  std::vector<const char*> texts;         // what VTK may have written: without and with its own image-based lighting
+  std::vector<const char*> texts;         // forms in VTK: without and with its own image-based lighting
   std::vector<const char*> replacements;  // one for each text, or one for all
   bool coatOnly;
 };
@@ -25,7 +25,7 @@ const std::vector<Anchor>& maskingAnchors();
 const std::vector<Anchor>& coatAnchors();
 const std::vector<Anchor>& scatteringAnchors();
 const std::vector<Anchor>& glassAnchors();
-/// Of programs whose reflections show lamps by their shapes.
+/// For programs that draw lamps as shapes in reflections.
 const std::vector<Anchor>& lampAnchors();
 
 }  // namespace boxprobe

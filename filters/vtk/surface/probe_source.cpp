@@ -22,13 +22,13 @@ std::string parameterDeclarations(const ProbeBinding& binding) {
   return text;
 }
 
-// What a slot's technique reads: numbers from uniforms, choices as constants, so that the compiler drops the code of
-// those not chosen.
+// The parameters of a slot's technique: numbers from uniforms, choices as constants, so that the compiler removes
+// unused code.
 std::string parameterAssignments(const ProbeBinding& binding, std::size_t slot) {
   if (binding.firstBounce) return {};
   std::string text;
   for (const ParameterRow* row : parametersOf(binding.technique(slot))) {
-    if (row->number == nullptr && row->choice == nullptr) continue;  // of the picture, not of the lookup
+    if (row->number == nullptr && row->choice == nullptr) continue;  // concerns the picture, not the lookup
     const std::string value = row->choice != nullptr ? std::to_string(binding.values(slot).*row->choice)
                                                      : parameterUniform(*row) + "[" + std::to_string(slot) + "]";
     text += "  probe.parameters." + std::string(row->name) + " = " + value + ";\n";
@@ -75,10 +75,10 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
   return text;
 }
 
-// The files and the dispatch that this draw's techniques need, and no other.
+// The shader files and the dispatch for this draw's techniques only.
 std::string techniqueSources(const ProbeBinding& binding, bool debug) {
   std::vector<std::string> projectionFiles, evaluationFiles, dispatched;
-  // Two may build on the same file, and the debug view's own code on it, too.
+  // Techniques and the debug view may depend on the same file.
   std::set<std::string_view> present;
   if (debug) present.insert("shared/cube.glsl");
   if (binding.lampLobes) present.insert("shared/lobe_frame.glsl");
@@ -118,7 +118,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          joinShaderSources(evaluationFiles);
 }
 
-// Which forms of the impostor are drawn: BP_MARCH of technique/projection_impostor.glsl.
+// The variants of the impostor in use: BP_MARCH of technique/projection_impostor.glsl.
 int marchForms(const ProbeBinding& binding) {
   bool few = false, many = false;
   for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) {
@@ -144,7 +144,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   }
   if (binding.distances() && !binding.firstBounce)
     samplers += joinShaderSources({"shared/relief.glsl", "gpu/fetch_relief.glsl"});
-  // A scene without planar mirrors compiles none of it.
+  // Only compiled in scenes with planar mirrors.
   if (mirror) {
     samplers += "#define MIRROR_PICTURE int\n" +
                 joinShaderSources({"shared/mirror_types.glsl", "gpu/mirror_picture.glsl", "shared/planar_mirror.glsl"});
@@ -176,6 +176,9 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
                                             : std::vector<std::string>{"shared/lamp.glsl"}));
   }
   replaceOnce(lighting, "//BP::Lamps", lamps);
+  replaceOnce(lighting, "//BP::Openness",
+              binding.sky && binding.openness ? joinShaderSources({"shared/sky_openness.glsl", "gpu/sky_openness.glsl"})
+                                              : std::string());
   std::string shares(shaderSource("gpu/probe_shares.glsl"));
   replaceOnce(shares, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
   replaceOnce(shares, "//BP::Shares", perSlot("  bpShareOf[@SLOT@] = share[@GROUP@] * weight[@SLOT@];\n", binding));
@@ -187,9 +190,9 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
          define("BP_CONSTANT_SHARES", binding.weights && !binding.shares.empty()) +
          define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
-         define("BP_DIFFUSE", binding.diffuse) + define("BP_LATTICE", lattice) +
-         define("BP_LAMP_SHAPES", lattice && binding.lamps) + define("BP_LAMP_LOBES", binding.lampLobes) +
-         define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
+         define("BP_OPENNESS", binding.sky && binding.openness) + define("BP_DIFFUSE", binding.diffuse) +
+         define("BP_LATTICE", lattice) + define("BP_LAMP_SHAPES", lattice && binding.lamps) +
+         define("BP_LAMP_LOBES", binding.lampLobes) + define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
          define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue") || !binding.refinedValues.empty()) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
@@ -213,16 +216,22 @@ std::string coverageDeclarations(const ProbeBinding& binding) {
           "      ((bpShadowMask[@SLOT@] >> bit & 1) != 0 ? bpThroughSlot@SLOT@(position, toLight, tangent, perUnit) "
           ": vec3(1.0f));\n  }\n",
           binding));
-  std::string moving;
-  for (const int light : binding.movingLights) {
-    std::string piece(shaderSource("gpu/moving_shadow.glsl"));
-    replaceAll(piece, "@LIGHT@", std::to_string(light));
-    moving += piece;
-  }
-  return "#define BP_SHADOW_LIGHTS " + std::to_string(binding.shadowLights.size()) + "\n#define BP_MOVING_MAP_SIZE " +
-         std::to_string(kMovingMapSize) + ".0f\n" +
+  return "#define BP_SHADOW_LIGHTS " + std::to_string(binding.shadowLights.size()) + "\n" +
          joinShaderSources({"shared/coverage_types.glsl", "shared/coverage.glsl"}) +
-         perSlot(shaderSource("gpu/coverage_slot.glsl"), binding) + text + moving;
+         perSlot(shaderSource("gpu/coverage_slot.glsl"), binding) + text;
+}
+
+std::string shadowMapDeclarations(const ProbeBinding& binding) {
+  std::string text;
+  const auto add = [&text](const char* source, int light) {
+    std::string piece(shaderSource(source));
+    replaceAll(piece, "@LIGHT@", std::to_string(light));
+    text += piece;
+  };
+  if (!binding.movingLights.empty()) text += "#define BP_MOVING_MAP_SIZE " + std::to_string(kMovingMapSize) + ".0f\n";
+  for (const int light : binding.movingLights) add("gpu/moving_shadow.glsl", light);
+  for (const int light : binding.sunLights) add("gpu/sun_shadow.glsl", light);
+  return text;
 }
 
 }  // namespace boxprobe

@@ -341,7 +341,7 @@ void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
                             reinterpret_cast<const float(*)[3]>(&origin[0].x));
 }
 
-// Lights, the probes' coverage, maps of what moves: shaders/gpu/coverage*.glsl and moving_shadow.glsl.
+// Lights and the probes' coverage: shaders/gpu/coverage*.glsl.
 void uploadCoverage(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding) {
   std::vector<glm::vec4> lights;
   for (const int light : binding.shadowLights) {
@@ -368,19 +368,50 @@ void uploadCoverage(const UniformUpload& to, const DrawState& state, const Probe
                             levelsPerUnit(probe.geometry.boxMin, probe.geometry.boxMax, maxLevel));
   }
   to.program->SetUniform1iv("bpShadowMask", static_cast<int>(binding.probes.size()), masks.data());
+}
+
+// Maps of what moves and of what stands before suns: shaders/gpu/moving_shadow.glsl, sun_shadow.glsl. A sampler of its
+// kind needs a texture of its own kind, read or not.
+void uploadShadowMaps(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding) {
+  const SceneResources& resources = state.resources;
+  const GLuint any = !resources.movingShadows.empty() ? resources.movingShadows.front().texture
+                     : !resources.sunShadows.empty()  ? resources.sunShadows.front().texture
+                                                      : 0;
   for (const int light : binding.movingLights) {
-    const auto map = std::find_if(state.resources.movingShadows.begin(), state.resources.movingShadows.end(),
+    const auto map = std::find_if(resources.movingShadows.begin(), resources.movingShadows.end(),
                                   [&](const MovingShadow& shadow) { return shadow.light == light; });
-    const bool on = map != state.resources.movingShadows.end() && state.pass().movingShadowsOn;
+    const bool on = map != resources.movingShadows.end() && state.pass().movingShadowsOn;
     const std::string n = std::to_string(light);
     to.program->SetUniformf(("bpMovingOn" + n).c_str(), on ? 1.0f : 0.0f);
-    // A sampler of its kind needs a texture of its own kind, read or not.
-    const GLuint any = state.resources.movingShadows.empty() ? 0 : state.resources.movingShadows.front().texture;
     to.texture2d("bpMovingMap" + n, on ? map->texture : any);
     glm::mat4 matrix(1.0f);
     if (on) matrix = glm::mat4(glm::translate(map->mapFromWorld, to.eyeWorld()));
     to.program->SetUniformMatrix4x4(("bpMovingFromEye" + n).c_str(), &matrix[0][0]);
   }
+  for (const int light : binding.sunLights) {
+    const auto map = std::find_if(resources.sunShadows.begin(), resources.sunShadows.end(),
+                                  [&](const SunShadow& shadow) { return shadow.light == light; });
+    const bool on = map != resources.sunShadows.end() && map->texture != 0;
+    const std::string n = std::to_string(light);
+    to.texture2d("bpSunMap" + n, on ? map->texture : any);
+    glm::mat4 matrix(on ? glm::translate(map->mapFromWorld, to.eyeWorld()) : glm::dmat4(0.0));
+    to.program->SetUniformMatrix4x4(("bpSunFromEye" + n).c_str(), &matrix[0][0]);
+    const glm::vec3 taps = on ? glm::vec3(map->apart, map->off) : glm::vec3(0.0f);
+    to.program->SetUniform3f(("bpSunTaps" + n).c_str(), &taps.x);
+  }
+}
+
+// Captures go without, and so does everything until it is traced.
+void uploadOpenness(const UniformUpload& to, const DrawState& state) {
+  const SkyOpenness* open = state.pass().capture ? nullptr : state.resources.openness.get();
+  OpennessTexture& texture = *state.resources.opennessTexture;
+  to.texture("bpOpenMap", GL_TEXTURE_3D, texture.handle(open != nullptr ? state.resources.openness : nullptr));
+  to.program->SetUniformf("bpOpenOn", open != nullptr ? 1.0f : 0.0f);
+  const glm::vec3 low(open != nullptr ? open->low - 0.5 * open->spacing - to.eyeWorld() : glm::dvec3(0.0));
+  const glm::vec3 scale(open != nullptr ? 1.0 / (open->spacing * glm::dvec3(open->nodes)) : glm::dvec3(1.0));
+  to.program->SetUniform3f("bpOpenLow", &low.x);
+  to.program->SetUniform3f("bpOpenScale", &scale.x);
+  to.program->SetUniformf("bpOpenOff", open != nullptr ? static_cast<float>(open->off()) : 0.0f);
 }
 
 void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding,
@@ -416,10 +447,12 @@ void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBindin
                     const Constants* constants, bool flatMaps) {
   ++state.counts.counters.uniformUpdates;
   uploadSurroundings(to, state.resources, binding, flatMaps);
+  if (binding.sky && binding.openness) uploadOpenness(to, state);
   NumberUpload numbers(to, constants);
   readLighting(numbers, state, binding);
   if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);
   if (!binding.shadowLights.empty()) uploadCoverage(to, state, binding);
+  uploadShadowMaps(to, state, binding);
 }
 
 void uploadView(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, int object) {

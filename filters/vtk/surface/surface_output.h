@@ -1,14 +1,14 @@
-// What a surface's program writes: chosen by the probe pass, compiled in by the splice. Knows neither.
+// The outputs of a surface's program.
 #pragma once
 
 namespace boxprobe {
 
 enum class SurfaceOutput {
   Picture,               ///< the colour
-  Debug,                 ///< any row of surfaceViews(), and what the surface is into further attachments
-  SpecularSeparate,      ///< the colour, and what its techniques sample into further attachments
-  SpecularSeparateNone,  ///< the same of a surface that keeps nothing apart
-  Heights,               ///< the colour, and the height over a planar mirror into another attachment
+  Debug,                 ///< any row of surfaceViews(), with the surface's properties in further attachments
+  SpecularSeparate,      ///< the colour, with the sampled reflection in further attachments
+  SpecularSeparateNone,  ///< the same for a surface without sampled reflections
+  Heights,               ///< the colour, with the height over a planar mirror in another attachment
 };
 
 }  // namespace boxprobe

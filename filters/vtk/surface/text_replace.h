@@ -1,11 +1,11 @@
-// Small edits of shader text. Used by what writes our declarations and by the splice.
+// Replaces parts of shader source.
 #pragma once
 
 #include <string>
 
 namespace boxprobe {
 
-/// The first place; returns whether there is one.
+/// Replaces the first occurrence; returns whether there is one.
 inline bool replaceOnce(std::string& text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) return false;

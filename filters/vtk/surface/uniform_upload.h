@@ -1,5 +1,5 @@
-// One draw's program while its uniforms are uploaded: the camera it is seen through, and the textures that have to stay
-// bound until it is drawn. Handed by the probe pass to the functions that upload one subject each (..._uniforms.h).
+// The program of a draw during the upload of its uniforms: the camera, and the textures that must stay bound until it
+// is drawn. Passed to the upload functions (..._uniforms.h).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -19,16 +19,16 @@ struct UniformUpload {
   vtkShaderProgram* program;
   vtkRenderer* renderer;
   std::vector<std::unique_ptr<BoundTexture>>& bound;  ///< for the piece being drawn
-  const double* boundsWorld = nullptr;                ///< of what is drawn, as VTK orders them; null: not known
+  const double* boundsWorld = nullptr;                ///< of what is drawn, in VTK's order; null: unknown
 
   vtkOpenGLRenderWindow* window() const;
   vtkCamera* camera() const;
   glm::dvec3 eyeWorld() const;
   bool used(const std::string& name) const;
 
-  /// Binds the texture to a unit of its own and returns that.
+  /// Binds the texture to a free unit, and returns that unit.
   int bind(GLenum target, GLuint handle) const;
-  /// Binds it to a unit and tells the sampler `name` which.
+  /// Binds the texture to a free unit, and sets the sampler `name` to it.
   void texture(const std::string& name, GLenum target, GLuint handle) const;
   void texture2d(const std::string& name, GLuint handle) const { texture(name, GL_TEXTURE_2D, handle); }
   void cube(const std::string& name, GLuint handle) const { texture(name, GL_TEXTURE_CUBE_MAP, handle); }

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "filters/core/base/at_end.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/surface/glass_draw.h"
 
@@ -19,7 +19,7 @@ vtkProbeActor::vtkProbeActor() {
   this->Pass->Attach(this, this);
 }
 
-// VTK 9.1 never lets go of a pass whose keys are thrown away with it.
+// VTK 9.1 never releases a pass if the property keys that contain it are discarded.
 vtkProbeActor::~vtkProbeActor() {
   this->Pass->Detach();
 }
@@ -60,13 +60,13 @@ void vtkProbeActor::Render(vtkRenderer* renderer, vtkMapper* mapper) {
     return;
   }
   vtkRenderer* const before = state->drawing;
-  const boxprobe::AtEnd drawn([state, before] {
+  const boxprobe::ScopeExit drawn([state, before] {
     state->bound.clear();
     state->drawing = before;
   });
   state->drawing = renderer;
   this->Pass->Prepare(this);
-  const boxprobe::FrameParts leftOut = this->Pass->GetLeftOut();
+  const boxprobe::FrameParts leftOut = this->Pass->GetDisabledParts();
   if ((leftOut & boxprobe::kObjectPart) != 0) {
     return;
   }

@@ -2,9 +2,8 @@
  * @class   vtkProbeActor
  * @brief   an actor of this program's scenes, lit by reflection probes
  *
- * Has a vtkProbePass among its property keys and prepares it for each draw; its mapper is VTK's own. What surrounds a
- * draw happens here: the passes of glass with their faces, depth and colour masks, and what is left out to find what it
- * costs.
+ * Has a vtkProbePass among its property keys and prepares it for each draw; its mapper is VTK's own. Controls the state
+ * around a draw: the passes of glass with their faces, depth and colour masks, and parts disabled for measurements.
  */
 #pragma once
 
@@ -23,11 +22,11 @@ class vtkProbeActor : public vtkOpenGLActor {
   vtkTypeMacro(vtkProbeActor, vtkOpenGLActor) void PrintSelf(ostream& os, vtkIndent indent) override;
 
   vtkProbePass* GetPass() const { return this->Pass; }
-  /** Draws `data` by a mapper of VTK's own, which hands the program what the vertices bring for the surface. */
+  /** Draws `data` with a mapper of VTK's own, which passes the surface's vertex attributes to the program. */
   void SetShape(vtkPolyData* data, std::shared_ptr<const boxprobe::SurfaceMaterial> surface);
 
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
-  /** A program that has to be another one counts, too. */
+  /** Includes changes of the program. */
   vtkMTimeType GetRedrawMTime() override;
 
  protected:

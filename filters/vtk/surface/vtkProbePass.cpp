@@ -43,8 +43,8 @@ bool anyLightOn(vtkRenderer* renderer) {
   return false;
 }
 
-// Is this a program for polygons, as far as can be told from outside of the mapper? Lines and points are never lit
-// physically unless they have normals, so that a text without lighting says nothing there.
+// Is this a program for polygons only, as far as can be told from outside the mapper? Lines and points have no
+// physically based lighting without normals, so a missing anchor would not be an error for them.
 bool drawsPolygonsAlone(vtkAbstractMapper* mapper, vtkActor* actor) {
   auto* polyMapper = vtkPolyDataMapper::SafeDownCast(mapper);
   vtkPolyData* data = polyMapper != nullptr ? polyMapper->GetInput() : nullptr;
@@ -56,7 +56,7 @@ bool drawsPolygonsAlone(vtkAbstractMapper* mapper, vtkActor* actor) {
          data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
 }
 
-// What VTK writes as display colours, as the light that has that colour on the display: in captures alone.
+// Converts the display colours that VTK writes to linear light, for captures.
 constexpr const char* kLightOfDisplay = R"(
   if (bpLightOfDisplay > 0.0)
   {
@@ -160,7 +160,7 @@ bool vtkProbePass::HasOther(vtkActor* actor, const vtkProbePass* own) {
   return false;
 }
 
-// What an actor draws with in its own place (a level of detail) has the actor's keys.
+// A prop drawn in place of an actor (a level of detail) has the actor's keys.
 bool vtkProbePass::IsFor(vtkProp* prop) const {
   return prop == this->Actor.GetPointer() || this->Owner.GetPointer() == this->Actor.GetPointer();
 }
@@ -241,7 +241,7 @@ void vtkProbePass::SetDebug(bool debug) {
   }
 }
 
-void vtkProbePass::SetLeftOut(boxprobe::FrameParts parts) {
+void vtkProbePass::SetDisabledParts(boxprobe::FrameParts parts) {
   constexpr boxprobe::FrameParts written = ~(boxprobe::kRasterPart | boxprobe::kObjectPart | boxprobe::kGroundPart);
   const bool another = (parts & written) != (this->Asked.leftOut & written);
   this->Asked.leftOut = parts;
@@ -301,7 +301,7 @@ void vtkProbePass::Prepare(vtkActor* actor) {
     boxprobe::makeLampFree(*this->State, *this->Made.binding);
   }
   this->ChooseTraits(actor);
-  // Released since it was drawn last: made again, with its attributes.
+  // Released since the last draw: rebuilt with its attributes.
   if (this->Last.program != nullptr && this->State->tuning != nullptr &&
       this->State->tuning->compilation(this->Last.program) != this->Last.compilation) {
     this->Last.program = nullptr;
@@ -309,7 +309,7 @@ void vtkProbePass::Prepare(vtkActor* actor) {
   }
 }
 
-// The debug view shows what the calculation finds, all of it.
+// The debug view shows the complete calculation.
 void vtkProbePass::ChooseTraits(vtkActor* actor) {
   Variant& made = this->Made;
   boxprobe::ProgramTraits traits;
@@ -344,7 +344,7 @@ boxprobe::SurfaceOutput vtkProbePass::OutputOf(vtkActor* actor) const {
   return samples ? SurfaceOutput::SpecularSeparate : SurfaceOutput::SpecularSeparateNone;
 }
 
-// False: there is nothing to splice, or a line of VTK's is not there, which is reported; the sources stay as they are.
+// False if there is nothing to splice, or if an anchor is missing, which is reported; the sources are then unchanged.
 bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, bool lit) {
   const boxprobe::SceneResources& resources = this->State->resources;
   boxprobe::SurfaceProgram program{this->Drawn(),           this->Surface.get(), this->OutputOf(actor),
@@ -363,12 +363,12 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
     boxprobe::writeConstants(sources.fragment, this->Made.traits.constants->values);
     boxprobe::breakShaderIfAsked(sources.fragment, "constants");
   }
-  boxprobe::leaveOut(sources.fragment, this->Asked.leftOut);
+  boxprobe::removeParts(sources.fragment, this->Asked.leftOut);
   return true;
 }
 
-// A program that does not compile takes VTK 9.1 down where it is used next, so it is tried here, as the driver will get
-// it: the cache then has it ready, at no further cost.
+// VTK 9.1 crashes at the next use of a program that does not compile, so it is compiled here with its final source: the
+// cache then has it ready, at no further cost.
 bool vtkProbePass::Compiles(const boxprobe::ShaderSources& sources, vtkAbstractMapper* mapper, vtkActor* actor) const {
   boxprobe::ShaderSources text = sources;
   vtkInformation* keys = actor->GetPropertyKeys();
@@ -394,17 +394,17 @@ bool vtkProbePass::Compiles(const boxprobe::ShaderSources& sources, vtkAbstractM
   return boxprobe::programCompiles(window, text.vertex, text.geometry, text.fragment);
 }
 
-// In place of a program that the driver refuses comes VTK's own: an object without reflections is better than none.
+// Replaces a refused program by VTK's own: an object without reflections is better than none.
 void vtkProbePass::Refuse(vtkAbstractMapper* mapper, vtkActor* actor) {
   this->Last.refused = true;
   if (this->Asked.debug) {
-    return;  // whoever asked for the view is told by GetDebugRefused(); the picture's own program is another one
+    return;  // callers check GetDebugRefused(); the picture has another program
   }
   this->State->counts.fail(boxprobe::kSurfaceRefused);
   auto* polyMapper = vtkPolyDataMapper::SafeDownCast(mapper);
   if (this->Surface && polyMapper != nullptr) {
-    // From the next frame on: this one's program has been chosen.
-    boxprobe::givePlainSurface(*this->Surface, actor->GetProperty(), polyMapper->GetInput());
+    // From the next frame on: the program of this one is already selected.
+    boxprobe::applyPlainSurface(*this->Surface, actor->GetProperty(), polyMapper->GetInput());
   }
 }
 
@@ -448,7 +448,7 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
     this->Made.traits.flatMaps = false;
     this->Last.constantsRefused = true;
     sources = {vertex, geometry, fragment};
-    // As a rule the same with uniforms has been drawn before, but facts may have changed with the constants.
+    // Usually the program with uniforms has been drawn before, but facts may have changed together with the constants.
     compiles = this->Splice(sources, actor, lit) && this->Compiles(sources, mapper, actor);
   }
   if (!compiles) {

@@ -2,23 +2,23 @@
  * @class   vtkProbePass
  * @brief   lights one actor by reflection probes, whatever mapper of VTK's draws it
  *
- * VTK asks the render passes that an actor's property keys name to edit the shader text its mapper has written, and to
- * upload what the edits read; helpers of composite and glyph mappers ask, too. This one draws nothing itself: it puts
- * the splice (vtk_pbr_splice.h) in and uploads its uniforms, relative to the camera, from double. Without a draw state
- * or a binding the mapper writes VTK's own program, and again once the pass is detached. (Events and replacements of a
- * vtkShaderProperty would not do: VTK's glyph mapper sends no UpdateShaderEvent, and replacements are applied in
- * alphabetical order, while the splice's build on each other.)
+ * VTK lets the render passes in an actor's property keys edit the shader source that its mapper has written, and upload
+ * uniforms; the helpers of composite and glyph mappers do the same. This pass draws nothing itself: it inserts the
+ * splice (vtk_pbr_splice.h) and uploads its uniforms, relative to the camera, from double. Without a draw state or a
+ * binding, and after the pass is detached, the mapper writes VTK's own program. (Events and replacements of
+ * vtkShaderProperty are not enough: VTK's glyph mapper sends no UpdateShaderEvent, and replacements are applied in
+ * alphabetical order, while those of the splice depend on each other.)
  *
- * Actors of other programs have it attached, and Prepare() need not be called. Those of this program's scenes are
- * vtkProbeActor, which has one, calls Prepare() before each draw, and draws glass in several passes.
+ * It is attached to actors of other programs, for which Prepare() need not be called. The scenes of this program
+ * consist of vtkProbeActor, which has a pass, calls Prepare() before each draw, and draws glass in several passes.
  *
- * An assembly gives its own keys to each part it draws, so the pass of a part lies in the assembly's keys.
+ * An assembly passes its own keys to each part that it draws, so the pass of a part is in the assembly's keys.
  *
- * What is not shaded physically (unlit, Phong, lines without normals) keeps VTK's program, which writes display
- * colours; captures get their linear light, so that a reflection looks like the surface.
+ * Surfaces without physically based shading (unlit, Phong, lines without normals) keep VTK's program, which writes
+ * display colours; captures convert them to linear light, so that a reflection looks like the surface.
  *
- * Whether the driver takes a program is asked of the text that it will get: with the edits of the passes after this one
- * and the actor's own replacements. VTK's own program is drawn in place of one that is refused.
+ * Programs are tested with the driver in their final form: with the edits of later passes and the actor's own
+ * replacements. If the driver refuses one, VTK's own program is drawn instead.
  */
 #pragma once
 
@@ -53,84 +53,85 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   vtkTypeMacro(vtkProbePass, vtkOpenGLRenderPass) void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Adds this pass to the keys of `owner`: the actor itself, or the assembly that draws it. Nothing happens where it is
-   * there already; keys that were replaced meanwhile get it again.
+   * Adds this pass to the keys of `owner`: the actor itself, or the assembly that draws it. Does nothing if it is there
+   * already; adds it again if the keys were replaced.
    */
   void Attach(vtkActor* actor, vtkProp* owner);
-  /** Takes it out and leaves the keys as they were found. */
+  /** Removes it, and restores the keys. */
   void Detach();
-  /** Has a mapper asked for it since it was attached? */
+  /** Has a mapper used it since it was attached? */
   bool HasRun() const { return this->Last.run; }
-  /** Does the actor draw with a pass of another object, added before? */
+  /** Does the actor already have a pass of another object? */
   static bool HasOther(vtkActor* actor, const vtkProbePass* own);
 
   void SetDrawState(std::shared_ptr<boxprobe::DrawState> state) { this->State = std::move(state); }
   boxprobe::DrawState* GetDrawState() const { return this->State.get(); }
-  /** The material's textures and what the vertices bring; null: VTK's own material code. vtkProbeActor::SetShape()
-   * tells the mapper of the vertices. */
+  /** The material's textures and vertex attributes; null: VTK's own material code. vtkProbeActor::SetShape() passes the
+   * attributes to the mapper. */
   void SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface);
   const boxprobe::SurfaceMaterial* GetSurface() const { return this->Surface.get(); }
-  /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
+  /** A binding with another variant key needs another program, built at the next draw; otherwise only uniforms change.
+   */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   const boxprobe::ProbeBinding* GetBinding() const { return this->Asked.binding.get(); }
   std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Asked.binding; }
-  /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
+  /** Draws with cheap techniques instead of the binding's (see EvaluationRow::standIn); the binding is unchanged. */
   void SetStandIn(bool standIn);
-  /** Draws by so many rays in place of the binding's techniques, where that shows anything else and no stand-in is
-   * asked for. */
+  /** Draws with that many rays instead of the binding's techniques, if the result differs and cheap techniques are not
+   * requested. */
   void SetRefined(boxprobe::RefinedRays rays);
-  /** The binding as it is drawn: its stand-in or its rays, if those were asked for. */
+  /** The binding as it is drawn: with cheap techniques or rays if requested. */
   const boxprobe::ProbeBinding* GetDrawnBinding() const { return this->Made.binding.get(); }
 
-  /** Keeps what techniques sample apart from the rest, in further attachments (see reflection_apart.glsl). */
+  /** Writes sampled reflections separately, to further attachments (see reflection_apart.glsl). */
   void SetSeparateSpecular(bool apart);
   bool GetSeparateSpecular() const { return this->Asked.separateSpecular; }
-  /** Writes colour and height over a planar mirror, for the mirror's picture (see mirrored_output.glsl). */
+  /** Writes colour and height over a planar mirror for the mirror's picture (see mirrored_output.glsl). */
   void SetHeights(bool heights);
-  /** The surface is a planar mirror and looks that picture up where it is shown; null: it is none. */
+  /** The picture of a surface that is a planar mirror, sampled while it is shown; null: not a mirror. */
   void SetMirror(std::shared_ptr<const boxprobe::MirrorPicture> mirror);
   std::shared_ptr<const boxprobe::MirrorPicture> GetMirror() const { return this->Mirror; }
   /** Draws with the debug view's program (see vtk_pbr_splice.h) instead of the picture's. */
   void SetDebug(bool debug);
-  /** What a surface capture names this object by; 0 is the background's. */
+  /** The number of this object in surface captures; 0 is the background. */
   void SetObjectNumber(int number) { this->Asked.objectNumber = number; }
-  /** To find what they cost: the picture is drawn without these parts, which makes it a wrong one (frame_parts.h). */
-  void SetLeftOut(boxprobe::FrameParts parts);
-  boxprobe::FrameParts GetLeftOut() const { return this->Asked.leftOut; }
+  /** Draws without these parts, to measure their cost; the picture is then wrong (frame_parts.h). */
+  void SetDisabledParts(boxprobe::FrameParts parts);
+  boxprobe::FrameParts GetDisabledParts() const { return this->Asked.leftOut; }
 
-  /** What its program may take for granted, as far as it holds (see surface_facts.h); by default whatever holds. A
-   * material that no longer has what its program is made for gets another program at the next draw. */
+  /** The facts for which its program may be specialized, if they hold (see surface_facts.h); by default all that hold.
+   * If one no longer holds, the next draw uses another program. */
   void SetRequestedFacts(boxprobe::SurfaceFacts facts) { this->Asked.tuning.facts = facts; }
   boxprobe::SurfaceFacts GetRequestedFacts() const { return this->Asked.tuning.facts; }
-  /** Numbers its program may have as constants, as long as the draw's own are the same (see constants.h): where
-   * they differ, or for any other variant, it is drawn by the program that has them as uniforms. Null: none. */
+  /** Values that its program may have as constants while the draw's values are equal (see constants.h). If they differ,
+   * and for other variants, the program with uniforms is used. Null: none. */
   void SetConstants(std::shared_ptr<const boxprobe::ConstantsPlan> plan);
-  /** Did the driver, or the memory, refuse the program with the constants set last? It is drawn without them. */
+  /** Did the driver refuse the program with the last constants, or was memory short? Then it is drawn without them. */
   bool GetConstantsRefused() const { return this->Last.constantsRefused; }
 
   /** Is the surface glass, and lit so that it can be drawn as such? */
   bool DrawsGlass() const;
-  /** Glass that what is drawn behind does not already show through by blending. */
+  /** Is it glass that samples the frame behind it, instead of only being blended? */
   bool LooksBehind() const;
-  /** The driver refused the debug program, and VTK's own was drawn: it writes the first attachment alone. */
+  /** Did the driver refuse the debug program? VTK's own, drawn instead, only writes the first attachment. */
   bool GetDebugRefused() const { return this->Asked.debug && this->Last.refused; }
-  /** The OpenGL program it was drawn with last, as a number; 0: none. Equal numbers share one. */
+  /** The last OpenGL program as a number; 0: none. Equal numbers mean a shared program. */
   unsigned GetProgramNumber() const { return this->Last.programNumber; }
-  /** Was it drawn by the frame that ended last? Captures and linear pictures do not count. */
+  /** Was it drawn in the last frame? Captures and linear pictures do not count. */
   bool GetDrawnInFrame() const;
 
-  /** Before `actor` is drawn: finds out what its program is to be made for, by its material and by the pass under way,
-   * and has another one built where that is not what it was made for. */
+  /** To be called before `actor` is drawn: chooses the program variant by its material and the current pass, and has
+   * another program built if the variant changed. */
   void Prepare(vtkActor* actor);
-  /** Until it is prepared again: further draws of the same piece, which are not counted. */
+  /** Marks further draws of the same piece, which are not counted, until Prepare(). */
   void SetAgain() { this->Again = true; }
-  /** Have the program built again. */
+  /** Has the program built again. */
   void Rebuild();
-  /** The same, if the last one was built while nothing of ours was to be drawn. */
+  /** The same, if the last one was built while no draw of ours was in progress. */
   void RebuildIfPlain();
 
   ///@{
-  /** VTK's side of it. */
+  /** VTK's interface. */
   void Render(const vtkRenderState*) override {}
   bool PostReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
                                vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -147,7 +148,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   vtkProbePass(const vtkProbePass&) = delete;
   void operator=(const vtkProbePass&) = delete;
 
-  /** What the program is to be. */
+  /** The requested program. */
   struct Request {
     std::shared_ptr<const boxprobe::ProbeBinding> binding;
     bool separateSpecular = false, heights = false, debug = false;
@@ -155,25 +156,25 @@ class vtkProbePass : public vtkOpenGLRenderPass {
     boxprobe::FrameParts leftOut = 0;
     boxprobe::ProgramRequest tuning;
   };
-  /** What it is made for. */
+  /** What the current program is compiled for. */
   struct Variant {
-    std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< the one asked for, or its stand-in
-    std::string key;                                        ///< of that
+    std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< the requested binding, or its cheap variant
+    std::string key;                                        ///< variant key of the binding
     boxprobe::ProgramTraits traits;
     boxprobe::LightForm form = boxprobe::LightForm::Single;
     boxprobe::Tone tone = boxprobe::Tone::None;
     int glass = 0;
   };
-  /** What became of it. */
+  /** The result of building the program. */
   struct Outcome {
     bool refused = false;  ///< by the driver: VTK's own is drawn
     bool constantsRefused = false;
-    bool plain = false;  ///< built while nothing of ours was to be drawn
+    bool plain = false;  ///< built while no draw of ours was in progress
     bool run = false;
     unsigned programNumber = 0;
-    const vtkShaderProgram* program = nullptr;  ///< drawn with; looked up, never followed
-    std::uint64_t compilation = 0;              ///< of that, see ProgramTuning::uses()
-    std::uint64_t frame = ~std::uint64_t{0};    ///< that drew it
+    const vtkShaderProgram* program = nullptr;  ///< last drawn with; compared, never dereferenced
+    std::uint64_t compilation = 0;              ///< of that program, see ProgramTuning::uses()
+    std::uint64_t frame = ~std::uint64_t{0};    ///< the last frame that drew it
   };
 
   bool IsFor(vtkProp* prop) const;
@@ -195,10 +196,11 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   Request Asked;
   Variant Made;
   Outcome Last;
-  vtkTimeStamp Built;  ///< when the program last had to be another
+  vtkTimeStamp Built;  ///< when the program last had to change
   bool Again = false;
   vtkWeakPointer<vtkActor> Actor;
   vtkWeakPointer<vtkProp> Owner;
-  vtkSmartPointer<vtkInformation> Keys;  ///< that it lies in: VTK 9.1 does not let go of it where they are thrown away
-  bool KeysMade = false;                 ///< the owner had none
+  vtkSmartPointer<vtkInformation>
+      Keys;               ///< the keys that contain it: VTK 9.1 does not release it when they are discarded
+  bool KeysMade = false;  ///< the owner had no keys
 };

@@ -36,7 +36,7 @@ boxprobe::Background vtkSkyProp::BackgroundNow() const {
     return boxprobe::Background::Environment;
   }
   const bool blurs = this->Image && this->State->resources.sky;
-  return this->Shown == boxprobe::Background::Plain || blurs ? this->Shown : boxprobe::Background::Environment;
+  return this->Shown != boxprobe::Background::Blurred || blurs ? this->Shown : boxprobe::Background::Environment;
 }
 
 // A program for what the sky is: software renderers work out both sides of a branch.
@@ -44,6 +44,7 @@ boxprobe::FullScreenPass& vtkSkyProp::ChosenPass() {
   const boxprobe::SceneResources& resources = this->State->resources;
   const boxprobe::Background background = this->BackgroundNow();
   const std::string switches = background == boxprobe::Background::Plain     ? "#define BP_PLAIN\n"
+                               : background == boxprobe::Background::Color   ? "#define BP_ONE_COLOR\n"
                                : background == boxprobe::Background::Blurred ? "#define BP_SKY_MAP\n"
                                : this->Image                                 ? "#define BP_SKY_IMAGE\n"
                                                                              : "";
@@ -148,6 +149,11 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
       program->SetUniformf("bpSkyLevel", static_cast<float>(vtkSkyProp::BlurredLevel(*this->State->resources.sky)));
     } else if (image) {
       program->SetUniformi("bpSkyImage", image->unit());
+    }
+    if (program->IsUniformUsed("bpColor")) {
+      const glm::vec3 light = boxprobe::lightShownAs(this->BackgroundColor, this->State->resources.tone) /
+                              std::max(this->State->exposure(), 1.0e-12f);
+      program->SetUniform3f("bpColor", &light.x);
     }
     if (program->IsUniformUsed("bpPixelSize")) {
       int shown[4];

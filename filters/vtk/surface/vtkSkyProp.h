@@ -2,8 +2,8 @@
  * @class   vtkSkyProp
  * @brief   the sky of a scene, drawn behind everything
  *
- * A gradient or a latitude-longitude image at infinity. Writes alpha 0, so that a capture's alpha tells geometry from
- * sky. Linear or display colours, as the draw state says.
+ * A gradient or a latitude-longitude image at infinity. Writes alpha 0, so that a capture's alpha distinguishes
+ * geometry from sky. Linear or display colours, depending on the draw state.
  */
 #pragma once
 
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 #include <map>
 #include <memory>
 #include <string>
@@ -28,11 +29,14 @@ class vtkSkyProp : public vtkProp {
       void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** `image` for a SkyImage, else null. */
   void SetSky(const boxprobe::Sky& sky, double rotationDegrees, std::shared_ptr<const boxprobe::ImageRgbaF> image);
-  /** The axes the sky stands in, after `rotationDegrees`: takes a world direction to the one it is asked for. */
+  /** Rotation of the sky, applied after `rotationDegrees`: takes a world direction to the sampled one. */
   void SetSkyFromWorld(const glm::dmat3& skyFromWorld);
 
   /** What the picture shows in its place; captures and linear pictures show the sky. */
-  void SetBackground(boxprobe::Background background) { this->Shown = background; }
+  void SetBackground(boxprobe::Background background, const glm::vec3& color) {
+    this->Shown = background;
+    this->BackgroundColor = color;
+  }
   /** The level of the sky's map that a blurred background shows: fine enough to look even. */
   static int BlurredLevel(const boxprobe::ProbeMaps& sky) { return std::max(sky.radiance.levels() - 5, 0); }
 
@@ -60,5 +64,6 @@ class vtkSkyProp : public vtkProp {
   unsigned int ImageTexture = 0;
   bool ImageChanged = false;
   boxprobe::Background Shown = boxprobe::Background::Environment;
+  glm::vec3 BackgroundColor{0.6f};                         // as the display is to show it, linear
   std::map<std::string, boxprobe::FullScreenPass> Passes;  // by what their programs differ in
 };

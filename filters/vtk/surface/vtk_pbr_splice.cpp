@@ -3,6 +3,7 @@
 #include <vtkVersion.h>
 
 #include <algorithm>
+#include <map>
 
 #include "filters/math/shared/shader_source.h"
 #include "filters/vtk/surface/finish_source.h"
@@ -16,10 +17,10 @@ namespace {
 
 constexpr const char* kCoatMark = "#define CLEAR_COAT";
 constexpr const char* kEdgesMark = "uniform vec3 edgeColor;";
-// What VTK's functions of physically based shading declare, whatever becomes of them.
+// Declared in all of VTK's physically based shaders.
 constexpr const char* kPhysicalMark = "uniform float metallicUniform;";
 
-// Declarations go where the mapper's own texture declarations have been expanded, before its texture coordinates.
+// Declarations go after the mapper's expanded texture declarations, before its texture coordinates.
 constexpr const char* kDeclarations = "void main()\n{";
 
 void applyAnchors(std::string& text, const std::vector<Anchor>& anchors, bool coat, AnchorEdits& edits) {
@@ -33,9 +34,9 @@ void applyAnchors(std::string& text, const std::vector<Anchor>& anchors, bool co
   }
 }
 
-// What multiple scattering and a coat change of every lamp: as many as VTK has written in.
+// Edits for multiple scattering and coats in every lamp's code, for the number of lamps in VTK's text.
 void applyLamps(std::string& text, const SurfaceProgram& program, int lamps, bool coat, AnchorEdits& edits) {
-  // Lamps' share that the coat leaves to its base, as that of surroundings: shared/split_sum.glsl.
+  // The fraction of lamps' light that the coat transmits, as for surroundings: shared/split_sum.glsl.
   if (coat) {
     edits.replace(text, "lamps through a clear coat",
                   {{"specular *= (1.0 - Fc) * (1.0 - Fc);", "specular *= 1.0 - Fc;"}}, lamps);
@@ -50,8 +51,8 @@ void applyLamps(std::string& text, const SurfaceProgram& program, int lamps, boo
   }
 }
 
-// VTK 9.1 shades a directional lamp beside a positional one from its position, and its falloffs are not those of
-// KHR_lights_punctual; scene_lights.cpp packs what they need into a vtkLight.
+// If there is also a positional lamp, VTK 9.1 shades a directional one from its position; and its falloffs are not
+// those of KHR_lights_punctual. scene_lights.cpp packs what they need into a vtkLight.
 void applyPositional(std::string& text, int lamps, bool foreign, AnchorEdits& edits) {
   for (int i = 0; i < lamps; ++i) {
     const std::string n = std::to_string(i);
@@ -70,23 +71,31 @@ void applyPositional(std::string& text, int lamps, bool foreign, AnchorEdits& ed
   }
 }
 
-// Each light that a probe's coverage stands before, times what it lets through: in the lights' own loop, so that coats
-// and both lobes have it alike.
-void applyCoverage(std::string& text, const ProbeBinding& binding, bool positional, AnchorEdits& edits) {
+// Multiplies each light by its transmittance through a probe's coverage and through shadow maps, in the lights' own
+// loop, so that it applies to coats and both lobes.
+void applyShadows(std::string& text, const ProbeBinding& binding, bool positional, AnchorEdits& edits) {
+  std::map<int, std::string> factors;
   for (std::size_t k = 0; k < binding.shadowLights.size(); ++k) {
     const std::string n = std::to_string(binding.shadowLights[k]);
-    const auto& moving = binding.movingLights;
-    const bool moves = std::find(moving.begin(), moving.end(), binding.shadowLights[k]) != moving.end();
-    const std::string radiance = "radiance = lightColor" + n + (positional ? " * attenuation;" : ";");
-    edits.replace(
-        text, "light's shadow",
-        {{radiance, radiance + (k == 0 ? "\n  bpFindCovers(vertexVC.xyz);" : "") + "\n  radiance *= bpThrough(" +
-                        std::to_string(k) + ", " + n + ", vertexVC.xyz, N, L, " + (positional ? "distanceVC" : "1.0") +
-                        ")" + (moves ? " * bpMovingShadow" + n + "(vertexVC.xyz)" : "") + ";"}});
+    factors[binding.shadowLights[k]] = (k == 0 ? "\n  bpFindCovers(vertexVC.xyz);" : "") +
+                                       ("\n  radiance *= bpThrough(" + std::to_string(k) + ", " + n) +
+                                       ", vertexVC.xyz, N, L, " + (positional ? "distanceVC" : "1.0") + ");";
+  }
+  for (const int light : binding.movingLights) {
+    factors[light] += "\n  radiance *= bpMovingShadow" + std::to_string(light) + "(vertexVC.xyz);";
+  }
+  for (const int light : binding.sunLights) {
+    factors[light] += "\n  radiance *= bpSunShadow" + std::to_string(light) + "(vertexVC.xyz, N);";
+  }
+  for (const auto& [light, factor] : factors) {
+    const std::string radiance =
+        "radiance = lightColor" + std::to_string(light) + (positional ? " * attenuation;" : ";");
+    edits.replace(text, "light's shadow", {{radiance, radiance + factor}});
   }
 }
 
-// Each light source that a probe's nodes do not see whole, times what is seen of it. None of them asks for coverage.
+// Multiplies each light source by its visibility, if a probe's nodes do not all see it. None of these lights uses
+// coverage.
 void applySights(std::string& text, const ProbeBinding& binding, bool positional, AnchorEdits& edits) {
   for (std::size_t k = 0; k < binding.sightLights.size(); ++k) {
     const std::string n = std::to_string(binding.sightLights[k]);
@@ -122,13 +131,13 @@ void spliceMaterial(std::string& fragment, bool coat, AnchorEdits& edits) {
 }
 
 void spliceOutput(std::string& text, const SurfaceProgram& program, AnchorEdits& edits) {
-  // VTK discards what is wholly transparent. Glass has a depth all the same, and without that test a pass for depth
-  // alone need not work out a colour; what is never transparent has its depth written before its colour is known.
+  // VTK discards fully transparent fragments. Glass still writes depth, and without that test a depth-only pass needs
+  // no colour; opaque materials get early depth tests.
   if (program.glass() || (program.facts & kNeverDiscarded) != 0) {
     edits.replace(text, "wholly transparent", {{"if (gl_FragData[0].a <= 0.0)", "if (false)"}});
   }
-  // VTK 9.1 gives the colour of visible edges to ambient light alone, which its physically based shading has not, and
-  // takes it from the surface's own. Edges drawn as tubes are lit, and stay as they are.
+  // VTK 9.1 adds the colour of visible edges to ambient light, which physically based shading lacks, and takes it from
+  // the surface's own colour. Edges drawn as tubes are lit, and stay unchanged.
   std::string edges;
   if (text.find(kEdgesMark) != std::string::npos) {
     constexpr const char* kFlat = "diffuseColor = mix(diffuseColor, vec3(0.0), emix);";
@@ -152,7 +161,7 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
     spliceVertices(sources, *program.surface, edits);
   }
   if (program.probes()) {
-    applyCoverage(text, program.binding, lights.positional, edits);
+    applyShadows(text, program.binding, lights.positional, edits);
     applySights(text, program.binding, lights.positional, edits);
     applyAnchors(text, lightingAnchors(), coat, edits);
   }
@@ -164,7 +173,7 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
   if (program.probes() && program.binding.lampLobes) applyAnchors(text, lampAnchors(), coat, edits);
   if (program.glass()) {
     applyAnchors(text, glassAnchors(), coat, edits);
-    // What passes is not scattered, of lamps' light as of surroundings'.
+    // Transmitted light is not scattered, whether from lamps or surroundings.
     constexpr const char* kDiffuse = "diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);";
     edits.replace(
         text, "lamps on glass",

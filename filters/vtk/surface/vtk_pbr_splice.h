@@ -1,6 +1,6 @@
-// Puts probe lighting into the fragment shader VTK's polydata mapper has written for physically based shading. Beside
-// it stand the only files that know the text of VTK's surface shader: pbr_anchors.cpp has the lines of VTK 9.1 that are
-// edited, vtk_text_forms.cpp brings newer versions' into these.
+// Inserts probe lighting into the fragment shader that VTK's polydata mapper has written for physically based shading.
+// Besides this file, two others depend on VTK's shader text: pbr_anchors.cpp has the edited lines of VTK 9.1,
+// vtk_text_forms.cpp converts newer versions' text to them.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace boxprobe {
 
-/// The shaders of one program as VTK has written them.
+/// The shaders of one program as written by VTK.
 struct ShaderSources {
   std::string vertex;
   std::string geometry;  ///< empty unless VTK draws edges
@@ -20,13 +20,13 @@ struct ShaderSources {
 
 struct SpliceReport {
   bool needed = false;               ///< there is physically based shading, or there should be
-  std::string failure;               ///< one line: VTK's version, the line sought, the file to mend; empty: none
-  std::vector<AnchorCount> anchors;  ///< newer words first, then what was edited; up to the one that failed
+  std::string failure;               ///< one line: VTK's version, the line sought, the file to fix; empty: none
+  std::vector<AnchorCount> anchors;  ///< conversions of newer text first, then edits; up to the one that failed
 };
 
-/// Edits the sources in place; where an anchor is not there as often as it should be they stay unchanged, and the
-/// report says so. `lit`: the object is to be shaded physically by lights, so that a program without any sign of it is
-/// a failure, too; otherwise such a program (lines, points, no light) has nothing to splice and is left as it is.
+/// Edits the sources in place. If an anchor does not have the expected number of matches they are unchanged, and the
+/// report says so. `lit`: the object should have physically based shading with lights, so a program without it is a
+/// failure, too; otherwise such a program (lines, points, no light) needs no splice.
 SpliceReport splicePbr(ShaderSources& sources, const SurfaceProgram& program, bool lit);
 
 }  // namespace boxprobe

@@ -9,8 +9,8 @@ constexpr const char* kReflections =
     "  vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;\n"
     "  vec3 iblDiffuse = (1.0 - F0) * (1.0 - metallic) * irradiance * albedo;\n";
 
-// VTK 9.6.1 adds back what a split sum loses, by a fit of its own, or writes zero when its own image-based lighting is
-// off; 9.7 spells a number otherwise.
+// VTK 9.6.1 compensates the energy loss of the split sum by its own fit, or writes zero if its own image-based lighting
+// is off; 9.7 formats a number differently.
 std::string multiScatter(const std::string& one) {
   return "  diffuse = (1.0 - metallic) * (1.0 - 0.04) * albedo;\n"
          "  vec3 Fr = max(vec3(" +
@@ -26,7 +26,7 @@ std::string multiScatter(const std::string& one) {
          "  vec3 iblDiffuse = (FmsEms + k_D) * irradiance;\n";
 }
 
-// VTK 9.5 lights directional lamps beside positional ones by their direction, and applies the falloff apart.
+// VTK 9.5 lights directional lamps by their direction also beside positional ones, and applies the falloff separately.
 void normalizeLamp(std::string& fragment, const std::string& n, AnchorEdits& edits) {
   const std::string towards = "L = lightPositionVC" + n + " - vertexVC.xyz;\n";
   const std::string angles =

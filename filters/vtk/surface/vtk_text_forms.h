@@ -1,6 +1,5 @@
-// What VTK versions after 9.1 write into their surface shader, brought into 9.1's words, so that the splice
-// (vtk_pbr_splice.h) has one text to stand on. Goes by the text it finds, never by a version number. The texts of each
-// version are kept in tests/vtk.
+// Converts the surface shaders of VTK versions after 9.1 to 9.1's text, so that the splice (vtk_pbr_splice.h) handles a
+// single form. Depends on the text, never on a version number. The texts of each version are in tests/vtk.
 #pragma once
 
 #include <string>
@@ -9,7 +8,7 @@
 
 namespace boxprobe {
 
-/// Lights that the fragment shader declares, and whether their text tells positional ones from directional ones.
+/// The lights declared in the fragment shader, and whether the text distinguishes positional from directional ones.
 struct DeclaredLights {
   int count = 0;
   bool positional = false;
@@ -17,8 +16,8 @@ struct DeclaredLights {
 
 DeclaredLights declaredLights(const std::string& fragment);
 
-/// Edits `fragment` in place; what is in 9.1's words already, or not there at all, stays. Each form and how often it
-/// was found is in `edits` afterwards.
+/// Edits `fragment` in place; text in 9.1's form, or missing text, is unchanged. `edits` then contains each form and
+/// its number of matches.
 void normalizeForms(std::string& fragment, AnchorEdits& edits);
 
 }  // namespace boxprobe

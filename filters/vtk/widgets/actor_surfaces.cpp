@@ -73,7 +73,7 @@ ActorSurfaces::ActorSurfaces(vtkRenderer* renderer) {
 ActorSurfaces::~ActorSurfaces() = default;
 
 std::optional<SurfaceHit> ActorSurfaces::first(const glm::dvec3& origin, const glm::dvec3& direction) const {
-  // Past everything, from wherever it begins.
+  // A distance beyond everything, from any start.
   const double far = glm::length(bounds_.size()) + glm::length(bounds_.center() - origin);
   std::optional<SurfaceHit> nearest;
   vtkNew<vtkGenericCell> cell;
@@ -89,7 +89,7 @@ std::optional<SurfaceHit> ActorSurfaces::first(const glm::dvec3& origin, const g
     if (cell->GetCellDimension() != 2 || (nearest && distance >= nearest->distance)) continue;
     double normal[3];
     vtkPolygon::ComputeNormal(cell->GetPoints(), normal);
-    // Normals turn by the transposed inverse.
+    // Normals are transformed by the inverse transpose.
     glm::dvec3 world(0.0);
     for (int row = 0; row < 3; ++row) {
       for (int k = 0; k < 3; ++k) world[row] += surface.modelFromWorld->GetElement(k, row) * normal[k];

@@ -1,4 +1,4 @@
-// The surfaces that a renderer's actors show, for rays: what a dragged face snaps to. Needs no OpenGL and no ray
+// Intersects rays with the surfaces of a renderer's actors, to which dragged faces snap. Needs neither OpenGL nor a ray
 // tracer.
 #pragma once
 
@@ -18,13 +18,13 @@ namespace boxprobe {
 
 class ActorSurfaces : public SurfaceRays {
  public:
-  /// As they are now: visible actors under vtkPolyDataMapper, parts of assemblies as well. Null: nothing is there.
+  /// The current visible actors with vtkPolyDataMapper, including parts of assemblies. Null: there are none.
   explicit ActorSurfaces(vtkRenderer* renderer);
   ~ActorSurfaces() override;
   ActorSurfaces(const ActorSurfaces&) = delete;
   ActorSurfaces& operator=(const ActorSurfaces&) = delete;
 
-  /// Distance and normal alone: roughness and reflectance are those of nothing in particular.
+  /// Distance and normal only: roughness and reflectance are defaults.
   std::optional<SurfaceHit> first(const glm::dvec3& origin, const glm::dvec3& direction) const override;
   const Box& bounds() const override { return bounds_; }
 

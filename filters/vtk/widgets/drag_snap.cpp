@@ -10,8 +10,8 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kFacingCosine = 0.95;  ///< 18 degrees: a wall that a face could lie on
-constexpr double kStepPixels = 6.0;     ///< at least so far apart on the screen
+constexpr double kFacingCosine = 0.95;  ///< 18 degrees: a wall on which a face could lie
+constexpr double kStepPixels = 6.0;     ///< minimum grid spacing on the screen
 
 double roundTo(double value, double step) {
   return std::round(value / step) * step;

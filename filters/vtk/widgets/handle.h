@@ -1,4 +1,4 @@
-// What can be taken hold of in the picture, and which of it is shown.
+// Draggable handles in the picture.
 #pragma once
 
 #include <cstddef>
@@ -10,25 +10,25 @@ namespace boxprobe {
 /// What the handles of the selected probe edit.
 enum class HandleMode {
   Box,        ///< the faces of the projection box, and the capture origin
-  Influence,  ///< the faces of the influence box, and of the box inside which the probe has its full weight
-  Origin,     ///< the capture origin alone: freely, or along the world's axes
-  Place,      ///< the probe as a whole: moved and turned along the axes of its box
+  Influence,  ///< the faces of the influence box, and of the box of full weight
+  Origin,     ///< only the capture origin: freely, or along the world's axes
+  Place,      ///< the whole probe: moved and rotated along the axes of its box
 };
 
 enum class HandleKind {
   Face,        ///< of the projection box
-  Origin,      ///< the capture origin; another probe's selects that
+  Origin,      ///< the capture origin; clicking another probe's selects that probe
   Influence,   ///< a face of the influence box
   Blend,       ///< a face of the box of full weight
-  OriginAxis,  ///< an arrow at the origin, along an axis of the world
+  OriginAxis,  ///< an arrow at the origin, along a world axis
   Move,        ///< an arrow at the box's centre, along an axis of the box: moves the whole probe
-  Turn,        ///< a ring about such an axis: turns the whole probe
+  Turn,        ///< a ring around such an axis: rotates the whole probe
 };
 
 struct Handle {
   HandleKind kind = HandleKind::Origin;
   std::size_t probe = 0;
-  BoxFace face = {};  ///< of arrows and rings the axis alone; of Origin nothing
+  BoxFace face = {};  ///< only the axis for arrows and rings; unused for Origin
   bool operator==(const Handle& o) const {
     return kind == o.kind && probe == o.probe && (kind == HandleKind::Origin || face == o.face);
   }

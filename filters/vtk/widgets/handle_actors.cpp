@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyData> sphere(int around, int across) {
   return source->GetOutput();
 }
 
-/// An octahedron with a normal a face, so that it reads as a cut stone and not as another ball.
+/// An octahedron with face normals, so that it looks different from a ball.
 vtkSmartPointer<vtkPolyData> octahedron() {
   const auto smooth = sphere(4, 3);
   vtkNew<vtkPolyDataNormals> normals;
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* shape) {
   return actor;
 }
 
-/// A cube whose corners lie about as far out as the ball's surface.
+/// A cube whose corners are about as far out as the ball's surface.
 vtkSmartPointer<vtkPolyData> cube() {
   vtkNew<vtkCubeSource> source;
   for (const auto set : {&vtkCubeSource::SetXLength, &vtkCubeSource::SetYLength, &vtkCubeSource::SetZLength}) {
@@ -114,8 +114,8 @@ void setMatrix(vtkActor* actor, const glm::dmat3& axes, const glm::dvec3& positi
   actor->SetUserMatrix(matrix);
 }
 
-/// A frame whose third axis runs along the ray through the point instead of along the view: what is drawn in it is as
-/// round at the picture's edge as in its middle.
+/// A frame whose third axis is along the ray through the point instead of the view direction, so that shapes look round
+/// at the picture's edge as well.
 glm::dmat3 screenFrame(const ViewProjection& view, const glm::dvec3& positionWorld) {
   const ViewAxes axes = view.axes();
   glm::dvec3 away = positionWorld - view.eyeWorld();
@@ -128,7 +128,7 @@ void setColor(vtkActor* actor, const glm::dvec3& color) {
   actor->GetProperty()->SetColor(color.x, color.y, color.z);
 }
 
-/// 1.4 times as bright, paler where that is beyond white.
+/// 1.4 times as bright, desaturated where that exceeds white.
 glm::dvec3 highlightedColor(const glm::dvec3& color) {
   constexpr double kBrighter = 1.4;
   double h, s, v, r, g, b;
@@ -156,7 +156,7 @@ HandleActors::HandleActors(vtkRenderer* renderer) : renderer_(renderer), diamond
 HandleActors::Mark HandleActors::newMark(vtkPolyData* shape, Form form) {
   Mark mark;
   mark.form = form;
-  // The outline is the same shape a little larger, seen only where its far side looks out behind the body.
+  // The outline is a slightly larger copy with front-face culling, visible around the body.
   mark.outline = addActor(renderer_, shape);
   mark.outline->GetProperty()->LightingOff();
   mark.body = addActor(renderer_, shape);
@@ -257,7 +257,7 @@ void HandleActors::setPixelScale(double scale) {
 }
 
 double HandleActors::fadeOf(const Mark& mark, const ViewProjection& view, double nearest) {
-  constexpr double kFull = 3.0;  ///< times as far as the nearest: from there on it fades
+  constexpr double kFull = 3.0;  ///< times the nearest distance, where fading starts
   constexpr double kLeast = 0.35;
   if (!mark.idle) return 1.0;
   const double distance = glm::length(mark.positionWorld - view.eyeWorld());

@@ -43,7 +43,7 @@ std::optional<glm::dvec3> meetPlane(const Ray& ray, const glm::dvec3& point, con
 
 AxisDrag::AxisDrag(const glm::dvec3& point, const glm::dvec3& axis, const ViewAxes& view, const Ray& grab)
     : point_(point), axis_(axis), view_(view) {
-  // Looking along the axis the closest point leaps from the viewer's nose to the horizon within a few pixels.
+  // Looking along the axis, the closest point would jump from the viewer to the horizon within a few pixels.
   constexpr double kHeadOnCosine = 0.985;  // 10 degrees
   headOn_ = std::abs(glm::dot(axis_, grab.direction)) > kHeadOnCosine;
   grabOffset_ = along(grab).value_or(0.0);
@@ -97,7 +97,7 @@ Probe ProbeDrag::faceAt(const DragWish& wish) {
   if (handle_.kind == HandleKind::Face) {
     setBox(probe, withFaceMoved(start_.box, start_.rotationDegrees, face, offset, wish.symmetric, thinnest_));
   } else if (handle_.kind == HandleKind::Influence) {
-    // It turns about the projection box's centre, which stays: its other faces do, too.
+    // It is rotated about the projection box's centre, which stays: so do its other faces.
     Box influence = start_.influenceBox();
     const double size = influence.size()[face.axis];
     const double thinnest = std::min(thinnest_, size);
@@ -129,7 +129,7 @@ Probe ProbeDrag::movedAt(const DragWish& wish) {
 double ProbeDrag::turnDegrees(const Ray& ray) {
   const glm::dvec3& center = line_.point();
   const glm::dvec3& axis = line_.axis();
-  constexpr double kEdgeOnCosine = 0.1;  // a ring seen from its edge: its plane says nothing, its tangent does
+  constexpr double kEdgeOnCosine = 0.1;  // a ring seen edge-on: uses its tangent instead of its plane
   const auto from = meetPlane(grab_, center, axis);
   if (!from || std::abs(glm::dot(grab_.direction, axis)) < kEdgeOnCosine) {
     const glm::dvec3 across = glm::cross(axis, -view_.forward);
@@ -160,7 +160,7 @@ Probe ProbeDrag::turnedAt(const DragWish& wish) {
   const glm::dmat3 before = rotationMatrix(was);
   glm::dvec3 turn(0.0);
   turn[handle_.face.axis] = degrees;
-  // About an axis of its own: the box's frame is turned first, then put where it was.
+  // Rotates about one of its own axes: first in the box's frame, then by the original rotation.
   const glm::dmat3 after = before * rotationMatrix(turn);
   probe.rotationDegrees = yawAlone ? glm::dvec3(0.0, wrappedDegrees(was.y + degrees), 0.0) : rotationDegreesOf(after);
   const glm::dvec3 center = start_.box.center();
@@ -196,7 +196,7 @@ bool isFace(const Handle& handle) {
 
 Probe nudgedProbe(const Probe& probe, const Handle& handle, const glm::dvec3& by, const ViewAxes& view) {
   if (isFace(handle)) {
-    // A ray beside the face that has moved so far says how far.
+    // A ray offset by the face's movement gives the distance.
     const glm::dvec3 axis = handleAxisWorld(probe, handle);
     const glm::dvec3 anchor = handleAnchorWorld(probe, handle);
     const glm::dvec3 side = std::abs(axis.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
@@ -220,7 +220,7 @@ Probe besideOthers(const Probe& probe, const std::vector<Probe>& others) {
   const auto hidden = [&moved](const Probe& other) {
     return moved.box == other.box && moved.origin == other.origin && moved.rotationDegrees == other.rotationDegrees;
   };
-  // Each other can be met once.
+  // Meets each other probe at most once.
   for (std::size_t i = 0; i < others.size() && std::any_of(others.begin(), others.end(), hidden); ++i) {
     moved = movedProbe(moved, step);
   }

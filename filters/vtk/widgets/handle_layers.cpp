@@ -13,9 +13,8 @@ namespace boxprobe {
 
 namespace {
 
-/// Lines are drawn this much nearer to the viewer than they are. A probe's box lies on the walls or a little behind
-/// them and would else flicker or vanish where it matters most; 3 % of the distance passes over such gaps and still
-/// leaves a pillar in front of a line in front.
+/// Lines are drawn this much nearer to the viewer. A probe's box lies on the walls or slightly behind them, where it
+/// would flicker or be hidden; 3 % of the distance bridges such gaps, and a pillar in front still hides a line.
 constexpr double kPull = 0.97;
 
 constexpr double kBesidePointer = 22.0;  ///< logical pixels from the pointer to the readout
@@ -102,7 +101,7 @@ void HandleLayers::setReadout(const std::string& text, const glm::dvec2& pixel, 
   readout_->SetVisibility(text.empty() ? 0 : 1);
   if (text.empty()) return;
   readout_->SetInput(text.c_str());
-  // On the side of the pointer that has more room.
+  // On the side of the pointer with more room.
   const bool left = pixel.x > 0.5 * viewPixels.x, above = pixel.y > 0.5 * viewPixels.y;
   vtkTextProperty* look = readout_->GetTextProperty();
   left ? look->SetJustificationToRight() : look->SetJustificationToLeft();
@@ -129,12 +128,12 @@ void HandleLayers::follow(const ViewProjection& view, double pixelScale) {
   for (vtkRenderer* layer : {solidLayer_.Get(), onTopLayer_.Get()}) layer->SetViewport(scene_->GetViewport());
 }
 
-// As the scene was drawn, or else the depths of the two pictures could not be compared. The layers keep their camera
-// objects: vtkWindowToImageFilter exchanges those of all renderers while it draws.
+// The same as for the scene, so that depths of the two pictures can be compared. The layers keep their camera objects,
+// because vtkWindowToImageFilter exchanges those of all renderers while it draws.
 void HandleLayers::takeCamera(vtkRenderer* layer) {
   if (scene_ == nullptr) return;
   layer->GetActiveCamera()->DeepCopy(scene_->GetActiveCamera());
-  // Boxes may reach far beyond the scene, whose depth range would cut them off.
+  // Boxes may extend far beyond the scene, whose depth range would clip them.
   if (layer == onTopLayer_) layer->ResetCameraClippingRange();
 }
 

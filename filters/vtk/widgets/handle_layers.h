@@ -1,5 +1,6 @@
-// Boxes and handles over a renderer's picture: vtkRenderers of their own in the layers above, so that no capture and no
-// pass over the picture can hold them. What the scene hides of a box is drawn fainter, handles are never hidden.
+// Draws boxes and handles over a renderer's picture, with separate vtkRenderers in the layers above, so that captures
+// and passes over the picture do not contain them. Parts of boxes hidden by the scene are fainter; handles are never
+// hidden.
 #pragma once
 
 #include <vtkCallbackCommand.h>
@@ -25,27 +26,28 @@ namespace boxprobe {
 
 class HandleLayers {
  public:
-  /// `scene` is a renderer of `window`; its camera and viewport are followed. Not while the window draws.
+  /// `scene`: a renderer of `window`, whose camera and viewport are followed. Must not be called while the window
+  /// draws.
   HandleLayers(vtkRenderWindow* window, vtkRenderer* scene);
   ~HandleLayers();
   HandleLayers(const HandleLayers&) = delete;
   HandleLayers& operator=(const HandleLayers&) = delete;
 
-  /// Null once it is gone.
+  /// Null after its deletion.
   vtkRenderWindow* window() const;
-  /// `size`: of handles, in their usual pixels.
+  /// `size`: factor of the handles' default pixel sizes.
   void setLook(const HandleColors& colors, double size);
-  /// `together`: the places of all selected probes; `selected` is the one whose handles are shown.
+  /// `together`: indices of all selected probes; `selected`: the one whose handles are shown.
   void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
               const std::vector<std::size_t>& together, std::optional<Handle> highlighted, HandleMode mode);
-  /// From a capture origin to the floor under it; nothing: none.
+  /// A line from a capture origin to the floor below it; nothing: none.
   void setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
-  /// Proposed boxes, drawn dashed beside the probes' own.
+  /// Proposed boxes, drawn dashed in addition to the probes' own.
   void setGhosts(const std::vector<Probe>& ghosts);
-  /// Beside the pointer, which is at that logical pixel of a view so large. An empty text: none.
+  /// Text beside the pointer, which is at that logical pixel of a view of that size. Empty: none.
   void setReadout(const std::string& text, const glm::dvec2& pixel, const glm::dvec2& viewPixels);
   void setDrawn(bool drawn);
-  /// Before each picture. `view` is in logical pixels, of `pixelScale` device pixels each.
+  /// To be called before each picture. `view` is in logical pixels of `pixelScale` device pixels.
   void follow(const ViewProjection& view, double pixelScale);
 
  private:
@@ -55,10 +57,10 @@ class HandleLayers {
   vtkWeakPointer<vtkRenderer> scene_;
   vtkSmartPointer<vtkRenderer> solidLayer_;  ///< depth-tested against the scene
   vtkSmartPointer<vtkRenderer> onTopLayer_;  ///< over everything
-  vtkNew<vtkCallbackCommand> drawing_;       ///< a layer begins to draw
+  vtkNew<vtkCallbackCommand> drawing_;       ///< a layer starts to draw
   WireActors solid_, faint_;
   HandleActors handles_;
-  vtkSmartPointer<vtkTextActor> readout_;  ///< null until there is one
+  vtkSmartPointer<vtkTextActor> readout_;  ///< null until first used
   double pixelScale_ = 1.0;
 };
 

@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-/// In the frame of the box, as Box holds it.
+/// In the frame of the box.
 glm::dvec3 faceCenterBox(const Box& box, const BoxFace& face) {
   glm::dvec3 center = box.center();
   center[face.axis] = face.positive ? box.max[face.axis] : box.min[face.axis];
@@ -20,7 +20,7 @@ glm::dvec3 faceCenterBox(const Box& box, const BoxFace& face) {
 
 glm::dvec3 gripCenterBox(const Probe& probe, const Handle& handle) {
   if (handle.kind == HandleKind::Influence) return faceCenterBox(probe.influenceBox(), handle.face);
-  // Beside the middle: without a blend distance it would lie under the handle of the influence box.
+  // Off centre: without a blend distance it would coincide with the influence box's handle.
   const Box inner = fullWeightBox(probe);
   glm::dvec3 center = faceCenterBox(inner, handle.face);
   const int beside = (handle.face.axis + 1) % 3;
@@ -35,7 +35,7 @@ double pixelsToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec
   return glm::length(p - a - t * along);
 }
 
-/// Nothing for what is behind the viewer.
+/// Nothing for a point behind the viewer.
 std::optional<double> pixelsTo(const std::vector<glm::dvec3>& grip, const ViewProjection& view, const glm::dvec2& p) {
   std::optional<double> nearest;
   std::optional<glm::dvec2> last;

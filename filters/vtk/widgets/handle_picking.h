@@ -1,4 +1,4 @@
-// Which handles there are, where they stand on the screen and which one is under the pointer.
+// The available handles, their positions, and the one under the pointer.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,27 +12,23 @@
 
 namespace boxprobe {
 
-/// Of the selected probe those of `mode`; of the others the origins.
+/// For the selected probe those of `mode`; for others their origins.
 std::vector<Handle> handles(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
                             HandleMode mode = HandleMode::Box);
-/// Where a handle stands; of arrows and rings the middle of the gizmo.
+/// The position of a handle; for arrows and rings the centre of the gizmo.
 glm::dvec3 handleAnchorWorld(const Probe& probe, const Handle& handle);
-inline glm::dvec3 handlePositionWorld(const std::vector<Probe>& probes, const Handle& handle) {
-  return handleAnchorWorld(probes[handle.probe], handle);
-}
-/// The way it goes, or the axis it turns about; unit length, out of the box for faces. Of Origin: up.
+/// The direction of movement, or the axis of rotation; unit length, outwards for faces, up for Origin.
 glm::dvec3 handleAxisWorld(const Probe& probe, const Handle& handle);
 
-/// Logical pixels at size 1: arrows reach from here to there, rings have that radius.
+/// Logical pixels at size 1: start and end of arrows, radius of rings.
 constexpr double kArrowStartPixels = 24.0, kArrowPixels = 92.0, kRingPixels = 66.0;
 
-/// What of a handle the pointer has to come near to: a point, or the polyline of an arrow or a ring of `size` times
-/// their usual pixels.
+/// What the pointer has to be close to: a point, or the polyline of an arrow or ring, scaled by `size`.
 std::vector<glm::dvec3> handleGripWorld(const Probe& probe, const Handle& handle, const ViewProjection& view,
                                         double size = 1.0);
 
-/// The handle that is nearest to `pixel` and not farther than `reachPixels`; of two as near, the one closer to the
-/// viewer. Points come before lines.
+/// The handle nearest to `pixel` within `reachPixels`; of equally near ones that closer to the viewer. Points have
+/// priority over lines.
 std::optional<Handle> handleAt(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
                                const ViewProjection& view, const glm::dvec2& pixel, double reachPixels,
                                HandleMode mode = HandleMode::Box, double size = 1.0);

@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-/// Whatever the locale.
+/// Independent of the locale.
 std::string decimals(double value, int count) {
   char buffer[400];
   const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, count).ptr;
@@ -29,7 +29,7 @@ std::string filled(const ReadoutStyle& style, const char* form, const std::vecto
   return text;
 }
 
-/// The unit is the last of the values, wherever another language puts it.
+/// The unit is the last value, wherever a translation puts it.
 std::string withUnit(const ReadoutStyle& style, const char* form, std::vector<std::string> values) {
   values.push_back(style.unit);
   std::string text = filled(style, form, values);

@@ -1,4 +1,4 @@
-// The numbers of a drag as text for people, to be shown beside the pointer.
+// The numbers of a drag as text beside the pointer.
 #pragma once
 
 #include <functional>
@@ -11,13 +11,12 @@
 namespace boxprobe {
 
 struct ReadoutStyle {
-  std::string unit;  ///< of lengths: "m"; empty: none is said
-  /// Another language's form of an English one, whose %1, %2, ... stand for numbers, names and, last, the unit; null:
-  /// English.
+  std::string unit;  ///< of lengths: "m"; empty: none
+  /// The translation of an English form, in which %1, %2, ... are numbers, names and, last, the unit; null: English.
   std::function<std::string(const char*)> words;
 };
 
-/// UTF-8, one or two lines. Of a drag of `handle` that has made `now` of `before`.
+/// UTF-8, one or two lines, for a drag of `handle` that has changed `before` to `now`.
 std::string handleReadout(const Handle& handle, const Probe& before, const Probe& now, const ReadoutStyle& style);
 /// "on the wall ahead", "grid 0.1 m"
 std::string snapReadout(const DragSnap& snap, const Handle& handle, const ReadoutStyle& style);

@@ -1,4 +1,4 @@
-// Between the world and the pixels of a view: rays through pixels, where points are drawn, how long a pixel is there.
+// Converts between the world and the pixels of a view: rays through pixels, projected points, and the size of a pixel.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -9,21 +9,20 @@ class vtkCamera;
 
 namespace boxprobe {
 
-/// Through a pixel, world space. `direction` has unit length.
+/// A ray through a pixel, world space. `direction` has unit length.
 struct Ray {
   glm::dvec3 origin{0.0};
   glm::dvec3 direction{0.0, 0.0, -1.0};
 };
 
-/// What the drags need of the view: unit vectors, world space.
+/// The axes of a view: unit vectors, world space.
 struct ViewAxes {
   glm::dvec3 forward{0.0, 0.0, -1.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
 };
 
-/// A camera seen through a viewport of so many pixels. Pixels count from the top left; y grows downwards. Of the camera
-/// the position, the axes and the vertical field of view or the parallel scale are read; window centres and view shears
-/// are not.
+/// A camera and a viewport size. Pixels count from the top left; y grows downwards. Uses the camera's position, axes,
+/// and vertical field of view or parallel scale; ignores window centre and view shear.
 class ViewProjection {
  public:
   ViewProjection(vtkCamera* camera, double widthPixels, double heightPixels);
@@ -40,7 +39,7 @@ class ViewProjection {
 
  private:
   glm::dvec3 eye_, forward_, right_, up_;
-  double halfHeight_;  ///< tangent of half the vertical field of view; half the height in a parallel projection
+  double halfHeight_;  ///< tangent of half the vertical field of view; half the height in parallel projection
   double width_, height_;
   bool parallel_;
 };

@@ -22,10 +22,10 @@ namespace {
 
 using namespace boxprobe;
 
-constexpr double kUsualHandleSize = 14.0;  ///< at which the sizes of handle_actors.cpp are what they say
-constexpr double kClickPixels = 2.0;       ///< a press that moves less is a click
-constexpr double kFineShare = 0.1;         ///< of the pointer's way, while fine
-constexpr double kThinnestShare = 0.01;    ///< of the box, where that is less than people's rooms ask for
+constexpr double kUsualHandleSize = 14.0;  ///< the size at which the sizes in handle_actors.cpp apply
+constexpr double kClickPixels = 2.0;       ///< a press with less movement is a click
+constexpr double kFineShare = 0.1;         ///< fraction of the pointer's movement in fine mode
+constexpr double kThinnestShare = 0.01;    ///< of the box, for small boxes
 constexpr double kPointsPerInch = 72.0;
 
 void put(const glm::dvec3& from, double* to) {
@@ -69,15 +69,15 @@ struct vtkReflectionProbeRepresentation::Parts {
   vtkSmartPointer<vtkReflectionProbe> probe;
   vtkMTimeType probeTime = 0;
 
-  std::vector<Probe> probes;  ///< that of `probe` alone, or those of ShowProbes()
+  std::vector<Probe> probes;  ///< that of `probe`, or those of ShowProbes()
   std::optional<std::size_t> selected;
   std::vector<std::size_t> together;
   std::vector<Probe> ghosts;
   std::optional<std::array<glm::dvec3, 2>> drop;
-  bool othersChanged = false;  ///< ghosts or drop
+  bool othersChanged = false;  ///< ghosts or drop line
   std::optional<Handle> hovered;
 
-  /// All of a probe that drags change.
+  /// All values of a probe that drags change.
   struct Placement {
     explicit Placement(vtkReflectionProbe* probe)
         : originAtCenter(probe->GetOriginAtCenter()), useInfluence(probe->GetUseInfluenceBounds()) {
@@ -103,8 +103,8 @@ struct vtkReflectionProbeRepresentation::Parts {
 
   struct Drag {
     ProbeDrag drag;
-    Probe now;                        ///< as last given
-    glm::dvec2 pressed, pixel, held;  ///< held: behind the pointer once it was slowed down
+    Probe now;                        ///< the last result
+    glm::dvec2 pressed, pixel, held;  ///< held: lags behind the pointer after fine mode
     bool moved = false;
     std::optional<Placement> before;  ///< of `probe`
   };
@@ -112,7 +112,7 @@ struct vtkReflectionProbeRepresentation::Parts {
   std::string readout;
 
   std::function<const SurfaceRays*()> surfaces;
-  std::unique_ptr<ActorSurfaces> actorSurfaces;  ///< of the drag under way
+  std::unique_ptr<ActorSurfaces> actorSurfaces;  ///< for the current drag
   std::function<std::string(const char*)> words;
   std::unique_ptr<HandleLayers> layers;
   double bounds[6];
@@ -134,7 +134,8 @@ struct vtkReflectionProbeRepresentation::Parts {
     const glm::dvec2 fromBelow = glm::dvec2(x - origin[0], y - origin[1]) / pixelScale(renderer);
     return {fromBelow.x, viewPixels(renderer).y - fromBelow.y};
   }
-  /// A drag writes what it changes: a box leaves an origin alone that is not its centre, and captures with it.
+  /// Writes only what has changed: moving a box does not set an origin that is not its centre, which would cause a
+  /// capture.
   void write(const Probe& now) const {
     vtkReflectionProbe* to = probe;
     to->SetBounds(SixValues(now.box.min, now.box.max).values);
@@ -216,7 +217,7 @@ bool vtkReflectionProbeRepresentation::GetDragging() const {
   return this->Inside->drag.has_value();
 }
 
-// What is shown of SetProbe() is the probe as it is now.
+// With SetProbe() the probe's current values are shown.
 void vtkReflectionProbeRepresentation::Refresh() {
   Parts& in = *this->Inside;
   if (!in.probe || in.probe->GetMTime() == in.probeTime) return;
@@ -245,7 +246,7 @@ void vtkReflectionProbeRepresentation::SetRenderer(vtkRenderer* renderer) {
   this->MakeLayers();
 }
 
-// A renderer may come to its window late, or to another one.
+// A renderer may be added to its window late, or to another one.
 void vtkReflectionProbeRepresentation::MakeLayers() {
   Parts& in = *this->Inside;
   vtkRenderWindow* window = this->Renderer != nullptr ? this->Renderer->GetRenderWindow() : nullptr;

@@ -3,17 +3,16 @@
  * @brief boxes and handles of a vtkReflectionProbe, to be dragged by vtkReflectionProbeWidget
  *
  * Draws the probe's box, its influence box and, dashed, the box inside which it has its full weight, with the handles
- * of one mode: balls on the faces, a diamond at the capture origin, arrows along which the probe moves, rings about
- * which it turns. What the scene hides of a box is drawn fainter. Handles keep their size on the screen, in pixels of
- * 1/72 inch by the window's DPI. A drag changes the probe; nothing is captured as long as its origin and orientation
- * stay.
+ * of one mode: balls on the faces, a diamond at the capture origin, arrows to move the probe, rings to rotate it. Parts
+ * of a box that the scene hides are fainter. Handles have a constant size on screen, in pixels of 1/72 inch by the
+ * window's DPI. A drag changes the probe; nothing is captured unless its origin or orientation changes.
  *
- * Everything is drawn by two renderers of its own, in the layers of the window above the renderer's: captures, pictures
- * by render passes and vtkRenderer::GetActors() know nothing of it. They are there while the representation has a
- * renderer with a window. The camera's window centre and view shear are not followed.
+ * Draws with two renderers of its own, in the layers of the window above the renderer's: captures, pictures of render
+ * passes and vtkRenderer::GetActors() do not include it. They exist while the representation has a renderer with a
+ * window. The camera's window centre and view shear are ignored.
  *
- * Without a renderer, a window or a probe nothing is drawn and nothing can be taken hold of. To be used in the thread
- * of the window's OpenGL context.
+ * Without a renderer, a window or a probe nothing is drawn and nothing can be dragged. Use it in the thread of the
+ * window's OpenGL context.
  */
 #pragma once
 
@@ -46,19 +45,19 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   // clang-format off
   vtkTypeMacro(vtkReflectionProbeRepresentation, vtkWidgetRepresentation)
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  /** That of the probe, if it is newer. */
+  /** Includes the MTime of the probe. */
   vtkMTimeType GetMTime() override;
 
   ///@{
-  /** Null (default): nothing is drawn; a drag under way ends and leaves its probe where it is. */
+  /** Null (default): nothing is drawn. Changing it ends a drag, whose probe keeps its current values. */
   void SetProbe(vtkReflectionProbe* probe);
   vtkReflectionProbe* GetProbe() const;
   ///@}
 
   ///@{
-  /** Which handles there are. BOX (default): the faces of the box, and the origin. INFLUENCE: the faces of the influence
-   * box, and of the box of full weight, which set the blend distances. ORIGIN: the origin alone, freely or along the
-   * world's axes. PLACE: the whole probe, along the axes of its box and about them. */
+  /** The handles that are shown. BOX (default): the faces of the box, and the origin. INFLUENCE: the faces of the
+   * influence box and of the box of full weight, which set the blend distances. ORIGIN: the origin, freely or along the
+   * world's axes. PLACE: the whole probe, moved along and rotated about the axes of its box. */
   enum ModeType { BOX = 0, INFLUENCE = 1, ORIGIN = 2, PLACE = 3 };
   void SetMode(int mode);
   vtkGetMacro(Mode, int)
@@ -69,9 +68,9 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   ///@}
 
   ///@{
-  /** How the handle that is held moves, now. Symmetric: the opposite face goes as far the other way. Fine: a tenth as far
-   * as the pointer. Snapping: see below. ConstrainedAxis: the origin moves along that world axis alone, 0 to 2 for X to
-   * Z; -1: freely. All off by default; the widget sets the first three by the keys Alt, Shift and Control. */
+  /** Constraints of the current drag. Symmetric: the opposite face moves equally far the other way. Fine: a tenth of the
+   * pointer's movement. Snapping: see below. ConstrainedAxis: the world axis along which the origin moves, 0 to 2 for X
+   * to Z; -1: freely. All off by default; the widget sets the first three by the keys Alt, Shift and Control. */
   vtkSetMacro(Symmetric, bool)
   vtkGetMacro(Symmetric, bool)
   vtkBooleanMacro(Symmetric, bool)
@@ -86,8 +85,8 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   ///@}
 
   ///@{
-  /** While snapping, a face of a box lies down on the wall under the pointer, or on one within SnapDistance (pixels; 14
-   * by default): the visible actors under vtkPolyDataMapper, if SnapToSurfaces is on (default). */
+  /** While snapping, and if SnapToSurfaces is on (default), a face of a box snaps to the wall under the pointer, or to
+   * one within SnapDistance (pixels; 14 by default). Walls are the visible actors with vtkPolyDataMapper. */
   vtkSetMacro(SnapToSurfaces, bool)
   vtkGetMacro(SnapToSurfaces, bool)
   vtkBooleanMacro(SnapToSurfaces, bool)
@@ -95,8 +94,8 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   vtkGetMacro(SnapDistance, double)
   ///@}
   ///@{
-  /** Everything else, and faces without a wall, go by a grid whose step is a power of ten that can be seen, at most this:
-   * 0.1 units by default. Turns go by AngleStep degrees, 15 by default. */
+  /** Other handles, and faces without a wall, snap to a grid whose step is the smallest visible power of ten, at most
+   * this: 0.1 units by default. Rotations snap to AngleStep degrees, 15 by default. */
   vtkSetClampMacro(LargestGridStep, double, 1.0e-9, 1.0e9)
   vtkGetMacro(LargestGridStep, double)
   vtkSetClampMacro(AngleStep, double, 0.01, 180.0)
@@ -104,14 +103,14 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   ///@}
 
   ///@{
-  /** Pixels beyond a face's ball (whose diameter is HandleSize, 14 by default; the others in proportion) from which a
-   * handle can be taken. 5 by default. */
+  /** Distance in pixels from a face's ball (whose diameter is HandleSize, 14 by default; other handles in proportion)
+   * within which a handle can be grabbed. 5 by default. */
   vtkSetClampMacro(Tolerance, double, 0.0, 100.0)
   vtkGetMacro(Tolerance, double)
   ///@}
 
   ///@{
-  /** Display colours. Handles of faces, arrows and rings have that of their axis. */
+  /** Display colours. Faces' handles, arrows and rings have the colour of their axis. */
   vtkSetVector3Macro(XAxisColor, double)
   vtkGetVector3Macro(XAxisColor, double)
   vtkSetVector3Macro(YAxisColor, double)
@@ -131,8 +130,8 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   ///@}
 
   ///@{
-  /** The numbers of the drag under way, one or several lines of UTF-8; empty without one. Lengths are followed by
-   * LengthUnit, empty by default. They are drawn beside the pointer while ReadoutVisibility is on (default). */
+  /** The numbers of the current drag, one or several lines of UTF-8; empty without a drag. LengthUnit, empty by default,
+   * follows lengths. Drawn beside the pointer if ReadoutVisibility is on (default). */
   const char* GetReadout() const;
   vtkSetMacro(ReadoutVisibility, bool)
   vtkGetMacro(ReadoutVisibility, bool)
@@ -141,68 +140,69 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   vtkGetCharFromStdStringMacro(LengthUnit)
   ///@}
 
-  /** What the pointer is over, or drags. */
+  /** The kind of handle that the pointer is over, or drags. */
   enum InteractionStateType { Outside = 0, MovingFace, MovingInfluence, MovingBlend, MovingOrigin, MovingOriginAlongAxis,
                               Translating, Rotating };
-  /** Of the handle in question: 0 to 5 for -X, +X, -Y, ... as bounds are ordered, for faces; else -1. */
+  /** The face of that handle: 0 to 5 for -X, +X, -Y, ..., in the order of bounds; -1 for other handles. */
   int GetInteractionFace() const;
-  /** 0 to 2; of the origin and of no handle -1. */
+  /** The axis of that handle, 0 to 2; -1 for the origin, and without a handle. */
   int GetInteractionAxis() const;
-  /** Is a handle held? */
+  /** Is a handle being dragged? */
   bool GetDragging() const;
-  /** Ends the drag under way and puts the probe back to where it began. */
+  /** Ends the current drag and restores the probe. */
   void CancelInteraction();
 
   ///@{
-  /** Positions are in display coordinates of the renderer's window, as events have them. */
+  /** Positions are in display coordinates of the renderer's window, as in events. */
   int ComputeInteractionState(int x, int y, int modify = 0) override;
   void StartWidgetInteraction(double eventPosition[2]) override;
   void WidgetInteraction(double eventPosition[2]) override;
   void EndWidgetInteraction(double eventPosition[2]) override;
   ///@}
-  /** Off: whatever is highlighted is so no longer. Handles are highlighted by ComputeInteractionState(). */
+  /** 0 removes the highlight. ComputeInteractionState() sets it. */
   void Highlight(int highlighted) override;
 
-  /** Null: the layers go. Called by the widget as it is enabled and disabled. Not while the window draws. */
+  /** Null removes the layers. The widget calls it when it is enabled or disabled; not to be called during a render. */
   void SetRenderer(vtkRenderer* renderer) override;
   void BuildRepresentation() override;
-  /** The probe's bounds become these, scaled by PlaceFactor about their centre. */
+  /** Sets the probe's bounds, scaled by PlaceFactor about their centre. */
   void PlaceWidget(double bounds[6]) override;
-  /** Of the projection box and the influence box, world; null without a probe. */
+  /** World bounds of the projection box and the influence box; null without a probe. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void SetVisibility(vtkTypeBool visible) override;
-  /** Draws nothing itself: brings the layers above up to date. */
+  /** Draws nothing itself, but updates the layers above. */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   // clang-format on
 
 #ifndef __VTK_WRAP__
-  /// For a program with probes and an undo of its own: what is shown is told, drags answer with what they would make of
-  /// a probe and change nothing. Views are in logical pixels, from the top left.
+  /// For programs with their own probes and undo: they tell what to show, and drags return the resulting probe without
+  /// changing anything. Views are in logical pixels, from the top left.
   ///@{
-  /// Several probes, `selected` with its handles; `together` are selected beside it, ascending. In place of SetProbe().
+  /// Shows several probes, `selected` with its handles; `together`: ascending indices of others that are selected.
+  /// Instead of SetProbe().
   void ShowProbes(const std::vector<boxprobe::Probe>& probes, std::optional<std::size_t> selected,
                   const std::vector<std::size_t>& together);
-  /// Boxes that are proposed, dashed.
+  /// Shows proposed boxes, dashed.
   void ShowGhosts(const std::vector<boxprobe::Probe>& ghosts);
-  /// A plumb line from a capture origin to the floor under it; nothing: none.
+  /// A plumb line from a capture origin to the floor below it; nothing: none.
   void ShowDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
-  /// In place of the renderer's actors; asked for once a face snaps. May answer with null.
+  /// Replaces the renderer's actors; called when a face first snaps. May return null.
   void SetSurfaces(std::function<const boxprobe::SurfaceRays*()> surfaces);
-  /// In place of English, see ReadoutStyle.
+  /// Translates the readout, see ReadoutStyle.
   void SetReadoutWords(std::function<std::string(const char*)> words);
-  /// Before each picture, if the representation is in no renderer's list.
+  /// To be called before each picture if the representation is not among a renderer's props.
   void Follow(const boxprobe::ViewProjection& view);
 
   std::optional<boxprobe::Handle> HandleAt(const boxprobe::ViewProjection& view, const glm::dvec2& pixel) const;
-  /// Highlights what is there, and answers with it.
+  /// Highlights the handle under the pointer, and returns it.
   std::optional<boxprobe::Handle> Hover(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
   const std::optional<boxprobe::Handle>& GetHovered() const;
-  /// Takes hold of the highlighted handle if it is one of the selected probe.
+  /// Starts dragging the highlighted handle if it belongs to the selected probe.
   bool Grab(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
-  /// The probe as the drag would leave it. Nothing without a drag, and as long as it is no more than a click.
+  /// The probe that results from the drag. Nothing without a drag, and while it may still be a click.
   std::optional<boxprobe::Probe> Pull(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
   void LetGo();
-  /// Null without one.
+  /// Null without a drag.
   const boxprobe::ProbeDrag* GetDrag() const;
   ///@}
 #endif

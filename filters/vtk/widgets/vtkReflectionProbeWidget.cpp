@@ -25,7 +25,7 @@ vtkReflectionProbeWidget::vtkReflectionProbeWidget() {
                             vtkWidgetEvent::Reset, this, CancelAction);
 }
 
-// The superclass would leave the representation its layers.
+// The superclass would leave the layers of the representation in place.
 vtkReflectionProbeWidget::~vtkReflectionProbeWidget() {
   this->vtkReflectionProbeWidget::SetEnabled(0);
 }
@@ -145,7 +145,7 @@ void vtkReflectionProbeWidget::MoveAction(vtkAbstractWidget* widget) {
   const vtkMTimeType before = shown->GetMTime();
   shown->WidgetInteraction(place);
   if (shown->GetMTime() == before) {
-    return;  // no more than a click so far, or no farther than before
+    return;  // still within a click, or no further movement
   }
   self->InvokeEvent(vtkCommand::InteractionEvent, nullptr);
   self->Render();

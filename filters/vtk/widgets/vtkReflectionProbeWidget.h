@@ -7,13 +7,13 @@
  *     widget->SetProbe(probe);
  *     widget->On();
  *
- * The left button drags the handles that vtkReflectionProbeRepresentation shows; which, says its Mode. Shift: a tenth
- * as far. Control: onto the wall under the pointer, or the grid. Alt: the opposite face as well. Escape puts the probe
- * back to where the drag began. Events beside the handles go to the interactor's style.
+ * The left button drags the handles of vtkReflectionProbeRepresentation, which are selected by its Mode. Shift slows
+ * the drag down to a tenth, Control snaps to the wall under the pointer or to a grid, Alt also moves the opposite face,
+ * Escape restores the probe. Events that do not hit a handle are passed to the interactor's style.
  *
- * Invokes StartInteractionEvent, InteractionEvent after each change of the probe, and EndInteractionEvent. A probe
- * among those of a vtkReflectionProbes shows the change in the next frame; only a moved origin or a turn is captured
- * again. A drag whose probe is taken away, or whose widget is switched off, ends there.
+ * Invokes StartInteractionEvent, InteractionEvent after each change of the probe, and EndInteractionEvent. If the probe
+ * belongs to a vtkReflectionProbes, the next frame shows the change; only a moved origin or a rotation needs a capture.
+ * Removing the probe or disabling the widget ends a drag.
  */
 #pragma once
 
@@ -32,24 +32,24 @@ class BOXPROBE_EXPORT vtkReflectionProbeWidget : public vtkAbstractWidget {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The representation's. Null: nothing is shown. */
+  /** The representation's probe. Null: nothing is shown. */
   void SetProbe(vtkReflectionProbe* probe);
   vtkReflectionProbe* GetProbe();
   ///@}
   ///@{
-  /** Made by itself when it is first needed. */
+  /** Created when first needed. */
   void SetRepresentation(vtkReflectionProbeRepresentation* representation);
   vtkReflectionProbeRepresentation* GetReflectionProbeRepresentation();
   void CreateDefaultRepresentation() override;
   ///@}
   ///@{
-  /** Shift, Control and Alt set Fine, Snapping and Symmetric of the representation. On by default; off, they are what the
-   * program sets. */
+  /** Do Shift, Control and Alt set Fine, Snapping and Symmetric of the representation? On by default; off: the program
+   * sets them. */
   vtkSetMacro(ModifierKeys, bool)
   vtkGetMacro(ModifierKeys, bool)
   vtkBooleanMacro(ModifierKeys, bool)
   ///@}
-  /** Without an interactor that has a window, switching it on is an error, and it stays off. Off ends a drag under way. */
+  /** Enabling it without an interactor that has a window is an error, and it stays off. Disabling it ends a drag. */
   void SetEnabled(int enabling) override;
   // clang-format on
 
@@ -71,7 +71,7 @@ class BOXPROBE_EXPORT vtkReflectionProbeWidget : public vtkAbstractWidget {
   static void CancelAction(vtkAbstractWidget* widget);
   void TakeModifiers();
   void HoverAt(int x, int y);
-  /** Ends what began with StartInteractionEvent. */
+  /** Ends the interaction started by StartInteractionEvent. */
   void Finish();
 
   bool Active = false;

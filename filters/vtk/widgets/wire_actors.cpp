@@ -21,11 +21,11 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kHiddenOpacity = 0.4;  ///< of lines the scene hides
+constexpr double kHiddenOpacity = 0.4;  ///< of lines hidden by the scene
 constexpr double kHaloOpacity = 0.7;
 constexpr double kHaloPixels = 2.0;      ///< added to a line's width
-constexpr double kHaloBehind = 1.004;    ///< times as far away as the line, so that the line wins where both are
-constexpr double kDashesPerEdge = 32.0;  ///< of the longest edge
+constexpr double kHaloBehind = 1.004;    ///< relative distance, so that the line is in front of its halo
+constexpr double kDashesPerEdge = 32.0;  ///< for the longest edge
 constexpr double kDashShare = 0.55;      ///< of a dash and its gap
 
 vtkSmartPointer<vtkActor> lineActor(vtkRenderer* renderer, vtkPolyData* lines, const glm::dvec3& color, double width,

@@ -1,5 +1,5 @@
-// The wire boxes of the probes in a vtkRenderer: the selected probe's box and, dashed, the box inside which it has its
-// full weight; the boxes of those selected beside it; proposed boxes; the other probes' boxes thin.
+// The wireframe boxes of probes in a vtkRenderer: the selected probe's box and, dashed, its box of full weight; those
+// of other selected probes; proposed boxes; thin boxes of the other probes.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -23,7 +23,7 @@ struct LineLook {
   glm::dvec3 color{1.0};
   double widthPixels = 1.0;  ///< logical pixels
   double opacity = 1.0;
-  bool halo = true;  ///< a wider dark line behind it, so that it is read before light and dark
+  bool halo = true;  ///< a wider dark line behind it, for contrast on light and dark pictures
 };
 
 /// A set of world-space segments.
@@ -33,9 +33,9 @@ class HaloLines {
   void setSegments(const std::vector<glm::dvec3>& endpointPairsWorld);
   void setVisible(bool visible);
   void setColors(const glm::dvec3& line, const glm::dvec3& halo);
-  /// Device pixels of a logical one.
+  /// Device pixels per logical pixel.
   void setPixelScale(double scale);
-  /// Draws everything `factor` times as far from `eyeWorld`: the same on the screen, but nearer in depth.
+  /// Scales positions by `factor` about `eyeWorld`: the same on the screen, but nearer in depth.
   void pullTowards(const glm::dvec3& eyeWorld, double factor);
 
  private:
@@ -44,7 +44,7 @@ class HaloLines {
   LineLook look_;
   vtkSmartPointer<vtkPolyData> lines_;
   vtkSmartPointer<vtkActor> core_, halo_;  ///< halo_ may be null
-  glm::dvec3 anchorWorld_{0.0};  ///< the points are relative to it, so that float keeps their precision far from 0
+  glm::dvec3 anchorWorld_{0.0};            ///< the points are relative to it, to preserve float precision far from 0
   glm::dvec3 eyeWorld_{0.0};
   double pull_ = 1.0;
   bool visible_ = true, empty_ = true;
@@ -52,16 +52,16 @@ class HaloLines {
 
 class WireActors {
  public:
-  /// `faint`: the lines where the scene hides them; another layer draws what it does not hide.
+  /// `faint`: draws the lines where the scene hides them; another layer draws the visible parts.
   WireActors(vtkRenderer* renderer, bool faint);
 
-  /// In HandleMode::Influence the influence box is drawn even where it is the projection box.
-  /// `together`: the places of all selected probes, ascending.
+  /// In HandleMode::Influence the influence box is drawn even if it equals the projection box. `together`: ascending
+  /// indices of all selected probes.
   void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
               const std::vector<std::size_t>& together, HandleMode mode);
-  /// From a capture origin to the floor under it, with a cross there; nothing: none.
+  /// A line from a capture origin to the floor below it, with a cross there; nothing: none.
   void setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
-  /// Boxes that are proposed and not there yet, dashed.
+  /// Proposed boxes, dashed.
   void setGhosts(const std::vector<Probe>& ghosts);
   void setColors(const HandleColors& colors);
   void setPixelScale(double scale);

@@ -6,13 +6,13 @@
 
 namespace boxprobe {
 
-class AtEnd {
+class ScopeExit {
  public:
   /// `call` must not throw.
-  explicit AtEnd(std::function<void()> call) : call_(std::move(call)) {}
-  ~AtEnd() { call_(); }
-  AtEnd(const AtEnd&) = delete;
-  AtEnd& operator=(const AtEnd&) = delete;
+  explicit ScopeExit(std::function<void()> call) : call_(std::move(call)) {}
+  ~ScopeExit() { call_(); }
+  ScopeExit(const ScopeExit&) = delete;
+  ScopeExit& operator=(const ScopeExit&) = delete;
 
  private:
   std::function<void()> call_;

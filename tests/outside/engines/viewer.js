@@ -1,0 +1,30 @@
+// A model in three.js as its viewers show one: the neutral room as environment, Khronos' PBR Neutral, four samples a pixel, the camera given.
+import * as THREE from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+import { report } from './report.js';
+import { sceneCamera } from './scene.js';
+
+const config = await (await fetch('/config.json')).json();
+const { width, height } = config;
+const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+renderer.setSize(width, height, false);
+renderer.toneMapping = THREE.NeutralToneMapping;
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(0xbfbfbf);
+scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.04).texture;
+const loader = new GLTFLoader();
+loader.setDRACOLoader(new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/'));
+scene.add((await loader.loadAsync('/model/' + config.file)).scene);
+const camera = sceneCamera(THREE, config);
+const away = new THREE.Vector3(...config.camera.position).distanceTo(new THREE.Vector3(...config.camera.target));
+camera.near = away / 100;
+camera.far = away * 100;
+camera.updateProjectionMatrix();
+renderer.render(scene, camera);
+const gl = renderer.getContext(), pixels = new Uint8Array(width * height * 4), turned = new Uint8Array(width * height * 4);
+gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+for (let row = 0; row < height; row++) turned.set(pixels.subarray((height - 1 - row) * width * 4, (height - row) * width * 4), row * width * 4);
+for (let i = 3; i < turned.length; i += 4) turned[i] = 255;
+await report(gl, turned, new Uint8Array(0));

@@ -1,0 +1,115 @@
+// Frames of the renderer against an independent path tracer with all bounces: Cycles' pictures of the lit scenes, see
+// ../README.md. Prints a row for every scene and camera.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/session/load_scene.h"
+#include "app/session/offscreen_scene.h"
+#include "filters/core/base/errors.h"
+#include "tests/truth/lit/lit_pictures.h"
+
+namespace {
+
+using namespace boxprobe;
+
+/// What is aimed at, and what is held: the same where the aim is reached.
+struct Aim {
+  double rmse = 0.0, light = 0.0;  ///< relative RMSE of the pixels; how far mean light may be from the truth's
+};
+struct Held {
+  Aim aim, held;
+};
+
+const std::map<std::string, Held>& bounds() {
+  static const std::map<std::string, Held> kBounds = {
+      {"closed across", {{0.08, 0.03}, {0.11, 0.03}}},     {"closed corner", {{0.08, 0.03}, {0.14, 0.05}}},
+      {"furniture shelves", {{0.08, 0.03}, {0.12, 0.06}}}, {"furniture mirror", {{0.08, 0.03}, {0.12, 0.06}}},
+      {"doorway lit", {{0.10, 0.05}, {0.10, 0.05}}},       {"doorway dark", {{0.25, 0.05}, {0.25, 0.12}}},
+      {"window patch", {{0.20, 0.05}, {0.10, 0.05}}},      {"window below", {{0.20, 0.05}, {0.10, 0.05}}},
+      {"living-room table", {{0.30, 0.10}, {0.30, 0.10}}}, {"living-room east", {{0.30, 0.10}, {0.30, 0.10}}},
+      {"cornell-box front", {{0.30, 0.10}, {0.30, 0.10}}}, {"cornell-box within", {{0.30, 0.10}, {0.30, 0.10}}},
+  };
+  return kBounds;
+}
+
+const Camera& cameraOf(const Scene& scene, const std::string& name) {
+  for (const Camera& camera : scene.cameras) {
+    if (camera.name == name) return camera;
+  }
+  throw InputError("the scene has no camera " + name);
+}
+
+/// Root of the sum of squared differences over that of the truth's squares, of all pixels and colours.
+double pixelError(const ImageRgbaF& truth, const ImageRgbaF& drawn) {
+  double differences = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    if (i % 4 == 3) continue;
+    const double t = static_cast<double>(truth.pixels[i]), d = static_cast<double>(drawn.pixels[i]);
+    differences += (d - t) * (d - t);
+    squares += t * t;
+  }
+  return std::sqrt(differences / squares);
+}
+
+/// Of BOXPROBE_LIT_SET, as --set has them, apart by semicolons: another picture, which nothing is held to.
+std::vector<std::string> changes() {
+  std::vector<std::string> fields;
+  const char* given = std::getenv("BOXPROBE_LIT_SET");
+  std::istringstream text(given != nullptr ? given : "");
+  for (std::string field; std::getline(text, field, ';');) fields.push_back(field);
+  return fields;
+}
+
+class FrameTruth : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(FrameTruth, HoldsToCycles) {
+  constexpr int kSamples = 16;
+  const LitIndex index = loadLitIndex();
+  const LoadedScene loaded = loadScene(index.scenePath(GetParam()), changes());
+  OffscreenScene shown({"frame_truth_test", index.width, index.height, 1, true});
+  std::printf(
+      "  scene, camera: light, relative RMSE of pixels (asked light, RMSE); RMSE of blocks, dim half's light\n");
+  int rows = 0;
+  for (const LitPicture& picture : index.pictures) {
+    if (picture.scene != GetParam() || picture.bounces) continue;
+    const ImageRgbaF truth = loadLitPicture(index, picture);
+    ShownSettings settings;
+    settings.camera = cameraOf(loaded.scene, picture.camera);
+    shown.show(loaded.scene, loaded.models, settings);
+    ASSERT_TRUE(shown.capture());
+    const ImageRgbaF drawn = shown.renderer().renderLinear(index.width, index.height, kSamples);
+    shown.requireHealthy();
+    const LitError error = litError(index, picture, truth, drawn, drawn);
+    const double rmse = pixelError(truth, drawn);
+    const auto known = bounds().find(picture.scene + " " + picture.camera);
+    ASSERT_NE(known, bounds().end()) << picture.file;
+    const Held& bound = known->second;
+    const bool misses = std::abs(error.meanLight - 1.0) > bound.aim.light || rmse > bound.aim.rmse;
+    std::printf("  %-12s %-8s %.3f  %.3f (1 +- %.2f, %.2f)%s  %.3f  %.3f\n", picture.scene.c_str(),
+                picture.camera.c_str(), error.meanLight, rmse, bound.aim.light, bound.aim.rmse, misses ? "!" : " ",
+                error.relativeRmse, error.dimLight);
+    ++rows;
+    if (!changes().empty()) continue;
+    EXPECT_NEAR(error.meanLight, 1.0, bound.held.light) << picture.file;
+    EXPECT_LE(rmse, bound.held.rmse) << picture.file;
+  }
+  EXPECT_EQ(rows, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lit, FrameTruth,
+                         ::testing::Values("closed", "furniture", "doorway", "window", "living-room", "cornell-box"),
+                         [](const auto& scene) {
+                           std::string name = scene.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
