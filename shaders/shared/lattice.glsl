@@ -1,6 +1,8 @@
 // Diffuse light from a lattice of nodes in a probe's box: nine spherical-harmonic coefficients at each (sh.glsl), blended along three
 // axes. A node is seven texels, 28 numbers: the coefficients in order, three colours each, and 1 if the light is the
-// node's own, 0 if it lies within something and has that of its neighbours. Needs lattice_types.glsl and sh.glsl; the host supplies
+// node's own, 0 if it lies within something and has that of its neighbours. Where surfaces stand between nodes, three texels more tell of the
+// ways from a node to the next along x, y and z: how much of each is cut (0 to 1), and, times that, where what cuts it begins and ends
+// (0 at the node, 1 at the next). Needs lattice_types.glsl and sh.glsl; the host supplies
 //   vec4 fetchLattice(LATTICE_SLOT slot, vec3 place, int part)   texel `part` of a node, linear in the place between nodes
 
 // Where a position lies among the nodes, 0 to `last` along each axis. Beyond the outermost nodes theirs counts.
@@ -9,10 +11,42 @@ vec3 latticePlace(LatticeShape lattice, vec3 position)
   return clamp((position - lattice.low) * lattice.perUnit, vec3(0.0f), lattice.last);
 }
 
-// Irradiance over pi of a surface at `position`, probe frame, with the unit normal `n`, world axes.
-vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 n)
+// Share of the next of two nodes at `t` of the way to it. A surface between the two hides each from what lies beyond it: before the
+// surface the first counts alone, behind it the second. Of a thick thing's ends only one is seen from anywhere, so that what lies
+// between them may be a ramp. `lean`: towards the side that the shaded surface faces, since it may be the very one that cuts the way.
+float latticeStep(float t, float lean, float cut, float begins, float ends)
+{
+  if (cut <= 1.0e-3f) { return t; }
+  float middle = 0.5f * (begins + ends) / cut;
+  float width = max((ends - begins) / cut, 0.04f);
+  return mix(t, clamp((t + lean - middle) / width + 0.5f, 0.0f, 1.0f), min(cut, 1.0f));
+}
+
+// Where the light of a surface that faces `facing` is looked up: as near to each node as its share of the light shall be. Axis by
+// axis, since each fetch of the ways along one of them has them as they are between the nodes chosen so far.
+vec3 latticeSeen(LatticeShape lattice, vec3 place, vec3 facing)
+{
+  vec3 first = min(floor(place), lattice.last - vec3(1.0f));
+  vec3 t = place - first;
+  vec3 lean = 0.06f * facing;
+  vec3 seen = place;
+  vec3 at = vec3(first.x, seen.y, seen.z);
+  seen.x = first.x + latticeStep(t.x, lean.x, fetchLattice(lattice.slot, at, 7).x, fetchLattice(lattice.slot, at, 8).x,
+                                 fetchLattice(lattice.slot, at, 9).x);
+  at = vec3(seen.x, first.y, seen.z);
+  seen.y = first.y + latticeStep(t.y, lean.y, fetchLattice(lattice.slot, at, 7).y, fetchLattice(lattice.slot, at, 8).y,
+                                 fetchLattice(lattice.slot, at, 9).y);
+  at = vec3(seen.x, seen.y, first.z);
+  seen.z = first.z + latticeStep(t.z, lean.z, fetchLattice(lattice.slot, at, 7).z, fetchLattice(lattice.slot, at, 8).z,
+                                 fetchLattice(lattice.slot, at, 9).z);
+  return seen;
+}
+
+// Irradiance over pi of a surface at `position` that faces `facing` (unit), probe frame, with the unit normal `n`, world axes.
+vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 facing, vec3 n)
 {
   vec3 place = latticePlace(lattice, position);
+  if (lattice.cut > 0.0f) { place = latticeSeen(lattice, place, facing); }
   vec4 a = fetchLattice(lattice.slot, place, 0);
   vec4 b = fetchLattice(lattice.slot, place, 1);
   vec4 c = fetchLattice(lattice.slot, place, 2);
@@ -25,7 +59,9 @@ vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 n)
 }
 
 // The weight of the nodes around `position`, probe frame, whose light is their own.
-float latticeKnown(LatticeShape lattice, vec3 position)
+float latticeKnown(LatticeShape lattice, vec3 position, vec3 facing)
 {
-  return fetchLattice(lattice.slot, latticePlace(lattice, position), 6).w;
+  vec3 place = latticePlace(lattice, position);
+  if (lattice.cut > 0.0f) { place = latticeSeen(lattice, place, facing); }
+  return fetchLattice(lattice.slot, place, 6).w;
 }

@@ -56,7 +56,8 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures, bool la
   ++count_;
   if (!lattices) return;
   const glm::ivec3 nodes = latticeNodes(glm::vec3(probe.box.size()), LatticeSettings{}.spacing);
-  lattices_ += static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) * DiffuseLattice::kParts * sizeof(glm::vec4);
+  lattices_ += static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) * (DiffuseLattice::kParts + DiffuseLattice::kCutParts) *
+               sizeof(glm::vec4);
 }
 
 std::string MemoryNeed::error(std::size_t limitBytes) const {
