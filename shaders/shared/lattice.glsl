@@ -4,6 +4,7 @@
 // ways from a node to the next along x, y and z: how much of each is cut (0 to 1), and, times that, where what cuts it begins and ends
 // (0 at the node, 1 at the next). Needs lattice_types.glsl and sh.glsl; the host supplies
 //   vec4 fetchLattice(LATTICE_SLOT slot, vec3 place, int part)   texel `part` of a node, linear in the place between nodes
+//   KEPT_LOOP(turns)                                            the bound of a loop that compilers are to keep as one
 
 // Where a position lies among the nodes, 0 to `last` along each axis. Beyond the outermost nodes theirs counts.
 vec3 latticePlace(LatticeShape lattice, vec3 position)
@@ -27,18 +28,14 @@ float latticeStep(float t, float lean, float cut, float begins, float ends)
 vec3 latticeSeen(LatticeShape lattice, vec3 place, vec3 facing)
 {
   vec3 first = min(floor(place), lattice.last - vec3(1.0f));
-  vec3 t = place - first;
-  vec3 lean = 0.06f * facing;
   vec3 seen = place;
-  vec3 at = vec3(first.x, seen.y, seen.z);
-  seen.x = first.x + latticeStep(t.x, lean.x, fetchLattice(lattice.slot, at, 7).x, fetchLattice(lattice.slot, at, 8).x,
-                                 fetchLattice(lattice.slot, at, 9).x);
-  at = vec3(seen.x, first.y, seen.z);
-  seen.y = first.y + latticeStep(t.y, lean.y, fetchLattice(lattice.slot, at, 7).y, fetchLattice(lattice.slot, at, 8).y,
-                                 fetchLattice(lattice.slot, at, 9).y);
-  at = vec3(seen.x, seen.y, first.z);
-  seen.z = first.z + latticeStep(t.z, lean.z, fetchLattice(lattice.slot, at, 7).z, fetchLattice(lattice.slot, at, 8).z,
-                                 fetchLattice(lattice.slot, at, 9).z);
+  for (int axis = 0; axis < KEPT_LOOP(3); ++axis)
+  {
+    vec3 at = seen;
+    at[axis] = first[axis];
+    seen[axis] = first[axis] + latticeStep(place[axis] - first[axis], 0.06f * facing[axis], fetchLattice(lattice.slot, at, 7)[axis],
+                                           fetchLattice(lattice.slot, at, 8)[axis], fetchLattice(lattice.slot, at, 9)[axis]);
+  }
   return seen;
 }
 
@@ -47,15 +44,19 @@ vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 facing, vec3 n)
 {
   vec3 place = latticePlace(lattice, position);
   if (lattice.cut > 0.0f) { place = latticeSeen(lattice, place, facing); }
-  vec4 a = fetchLattice(lattice.slot, place, 0);
-  vec4 b = fetchLattice(lattice.slot, place, 1);
-  vec4 c = fetchLattice(lattice.slot, place, 2);
-  vec4 d = fetchLattice(lattice.slot, place, 3);
-  vec4 e = fetchLattice(lattice.slot, place, 4);
-  vec4 f = fetchLattice(lattice.slot, place, 5);
-  vec4 g = fetchLattice(lattice.slot, place, 6);
-  return shIrradiance(n, vec3(a.x, a.y, a.z), vec3(a.w, b.x, b.y), vec3(b.z, b.w, c.x), vec3(c.y, c.z, c.w), vec3(d.x, d.y, d.z),
-                      vec3(d.w, e.x, e.y), vec3(e.z, e.w, f.x), vec3(f.y, f.z, f.w), vec3(g.x, g.y, g.z));
+  // shIrradiance, by threes of texels: four coefficients each.
+  vec4 basis = vec4(1.0f, n.y, n.z, n.x);
+  vec3 e = vec3(0.0f);
+  for (int part = 0; part < KEPT_LOOP(6); part += 3)
+  {
+    vec4 a = fetchLattice(lattice.slot, place, part);
+    vec4 b = fetchLattice(lattice.slot, place, part + 1);
+    vec4 c = fetchLattice(lattice.slot, place, part + 2);
+    e += basis.x * vec3(a.x, a.y, a.z) + basis.y * vec3(a.w, b.x, b.y) + basis.z * vec3(b.z, b.w, c.x) + basis.w * vec3(c.y, c.z, c.w);
+    basis = vec4(n.x * n.y, n.y * n.z, 3.0f * n.z * n.z - 1.0f, n.x * n.z);
+  }
+  vec4 last = fetchLattice(lattice.slot, place, 6);
+  return max(e + (n.x * n.x - n.y * n.y) * vec3(last.x, last.y, last.z), vec3(0.0f));
 }
 
 // The weight of the nodes around `position`, probe frame, whose light is their own.

@@ -21,6 +21,7 @@ using glm::vec4;
 constexpr std::size_t kLampCount = 32768;
 
 constexpr const char* kLamp =
+    "#define KEPT_LOOP(turns) (turns)\n"
     "vec3 gCorners[4];\n"
     "int lampCornerCount(int lamp) { return 4; }\n"
     "vec3 lampCorner(int lamp, int i) { return gCorners[i]; }\n"
@@ -156,6 +157,7 @@ struct Ramp : shading::LatticeSampler {
   }
 };
 constexpr const char* kRamp =
+    "#define KEPT_LOOP(turns) (turns)\n"
     "vec4 fetchLattice(int slot, vec3 place, int part)\n{\n  float p = float(part);\n"
     "  if (part == 7) { return vec4(0.8, 0.6 + 0.02 * place.x, 0.9, 0.0); }\n"
     "  if (part > 7) { return (p - 7.5) * vec4(0.3, 0.25, 0.4 - 0.01 * place.z, 0.0); }\n"
