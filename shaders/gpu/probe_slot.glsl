@@ -63,7 +63,9 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
 #if BP_DEBUG
     float nodes = bpCoat ? 0.0f : weight / max(bpIntensity[@SLOT@], 1.0e-30f);
     bpNodeShare += nodes;
-    bpNodeKnown += nodes * latticeKnown(bpLatticeShape(@SLOT@), point.position, facing);
+    LatticeShape around = bpLatticeShape(@SLOT@);
+    around.cut = 0.0f;  // of the nodes around, seen or not
+    bpNodeKnown += nodes * latticeKnown(around, point.position, facing);
 #endif
   }
   else
