@@ -21,7 +21,7 @@ vec3 bpProbesIrradiance(vec3 position, vec3 normal)
 #if BP_DEBUG
         float nodes = bpCoat ? 0.0f : weight / max(bpIntensity[slot], 1.0e-30f);
         bpNodeShare += nodes;
-        bpNodeKnown += nodes * latticeKnown(bpLatticeShape(slot), from, facing);
+        bpNodeKnown += nodes * latticeKnown(bpLatticeShape(slot), from);
 #endif
       }
       else

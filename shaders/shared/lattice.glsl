@@ -59,10 +59,8 @@ vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 facing, vec3 n)
   return max(e + (n.x * n.x - n.y * n.y) * vec3(last.x, last.y, last.z), vec3(0.0f));
 }
 
-// The weight of the nodes around `position`, probe frame, whose light is their own.
-float latticeKnown(LatticeShape lattice, vec3 position, vec3 facing)
+// The weight of the nodes around `position`, probe frame, seen from there or not, whose light is their own.
+float latticeKnown(LatticeShape lattice, vec3 position)
 {
-  vec3 place = latticePlace(lattice, position);
-  if (lattice.cut > 0.0f) { place = latticeSeen(lattice, place, facing); }
-  return fetchLattice(lattice.slot, place, 6).w;
+  return fetchLattice(lattice.slot, latticePlace(lattice, position), 6).w;
 }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <random>
+#include <utility>
 
 namespace {
 
@@ -201,31 +202,34 @@ TEST(TracedLattice, NoLightComesThroughAWallInTheBox) {
   shape.projection = 0;
   DiffuseLattice lattice = tracedLattice(makeDiffuseLattice(means, shape), means, in);
   ASSERT_GT(lattice.cutWays, 0);
-  // Mean over all walls of a room, both of the wall between them too.
-  const auto mean = [&](bool east) {
+  // Mean and most over all walls of a room, its side of the wall between them among these.
+  const auto lightOf = [&](bool east) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(0.0, 1.0);
     const dvec3 low(east ? TwoRooms::kWall : kLow.x, kLow.y, kLow.z);
     const dvec3 high(east ? kHigh.x : -TwoRooms::kWall, kHigh.y, kHigh.z);
-    double sum = 0.0;
+    double sum = 0.0, most = 0.0;
     constexpr int kPoints = 600;
     for (int i = 0; i < kPoints; ++i) {
       dvec3 p = low + (high - low) * dvec3(any(random), any(random), any(random)), n(0.0);
       const int axis = i % 3;
       p[axis] = i / 3 % 2 == 0 ? low[axis] : high[axis];
       n[axis] = i / 3 % 2 == 0 ? 1.0 : -1.0;
-      sum += static_cast<double>(
-          shading::latticeIrradiance(lattice.shape(), glm::vec3(p), glm::vec3(n), glm::vec3(n)).y);
+      const glm::vec3 facing(n);
+      const glm::vec3 there = shading::latticeIrradiance(lattice.shape(), glm::vec3(p), facing, facing);
+      sum += static_cast<double>(there.y);
+      most = std::max(most, static_cast<double>(there.y));
     }
-    return sum / kPoints;
+    return std::make_pair(sum / kPoints, most);
   };
-  const double bright = mean(false), black = mean(true);
+  const double bright = lightOf(false).first, black = lightOf(true).second;
   lattice.cuts.clear();
-  const double leaks = mean(true);
-  std::printf("lit room %.4f, dark room %.6f, without cuts %.4f; %d ways cut\n", bright, black, leaks, lattice.cutWays);
+  const double leaks = lightOf(true).second;
+  std::printf("lit room %.4f, brightest place of the dark one %.6f, without cuts %.4f; %d ways cut\n", bright, black,
+              leaks, lattice.cutWays);
   EXPECT_GT(bright, 0.05);
   EXPECT_LT(black, 0.01 * bright);
-  EXPECT_GT(leaks, 0.05 * bright) << "nothing is judged";
+  EXPECT_GT(leaks, 0.1 * bright) << "nothing is judged";
 }
 
 }  // namespace

@@ -272,9 +272,9 @@ void cutWays(DiffuseLattice& lattice, const std::vector<char>& known, const Latt
       };
       glm::dvec3 along(0.0);
       along[axis] = step[axis];
-      const CutWay way = cutWay(*in.lines, in.originWorld + in.worldFromProbe * from, in.worldFromProbe * along,
-                                turned((axis + 1) % 3, 0.07), turned((axis + 2) % 3, 0.07), known[node] != 0,
-                                known[next] != 0);
+      const CutWay way =
+          cutWay(*in.lines, in.originWorld + in.worldFromProbe * from, in.worldFromProbe * along,
+                 turned((axis + 1) % 3, 0.07), turned((axis + 2) % 3, 0.07), known[node] != 0, known[next] != 0);
       if (way.cut <= 0.0f) continue;
       ++found;
       cuts[node][axis] = way.cut;
@@ -343,6 +343,37 @@ bool LatticeSurroundings::operator==(const LatticeSurroundings& o) const {
     const SceneLamp &a = lamps->lamps[i], &b = o.lamps->lamps[k];
     return a.corners == b.corners && a.radiance == b.radiance && a.bothSides == b.bothSides;
   });
+}
+
+float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, const LatticeSurroundings& in) {
+  if (!in.lines || in.lines->empty()) return usual;
+  // Of the rays of a few places in the box: so much goes out where there is a door, so much where there is hardly a
+  // box.
+  constexpr double kDoor = 0.01, kNoRoom = 0.5;
+  constexpr int kPlaces = 3, kRaysOfPlace = 64;
+  const glm::dvec3 size(high - low);
+  // Walls are not always where the box has them.
+  const glm::dvec3 most = glm::dvec3(high) + glm::dvec3(0.1 * std::max({size.x, size.y, size.z}));
+  const glm::dvec3 least = glm::dvec3(low) - glm::dvec3(0.1 * std::max({size.x, size.y, size.z}));
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  int out = 0, all = 0;
+  for (int k = 0; k < kPlaces * kPlaces * kPlaces; ++k) {
+    const glm::dvec3 share((k % 3 + 0.5) / kPlaces, (k / 3 % 3 + 0.5) / kPlaces, (k / 9 + 0.5) / kPlaces);
+    const glm::dvec3 from = glm::dvec3(low) + share * size;
+    for (int i = 0; i < kRaysOfPlace; ++i) {
+      const double z = 1.0 - (2.0 * i + 1.0) / kRaysOfPlace,
+                   phi = 2.0 * kTracePi * (i * golden - std::floor(i * golden));
+      const double r = std::sqrt(1.0 - z * z);
+      const glm::dvec3 along(r * std::cos(phi), r * std::sin(phi), z);
+      const auto hit = in.lines->first(in.originWorld + in.worldFromProbe * from, in.worldFromProbe * along);
+      if (hit && hit->back) continue;  // within something
+      ++all;
+      const glm::dvec3 at = from + (hit ? hit->distance : 1.0e3 * glm::length(size)) * along;
+      const bool stays = glm::all(glm::greaterThanEqual(at, least)) && glm::all(glm::lessThanEqual(at, most));
+      out += stays ? 0 : 1;
+    }
+  }
+  return out > kDoor * all && out < kNoRoom * all ? 0.5f * usual : usual;
 }
 
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,

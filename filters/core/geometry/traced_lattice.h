@@ -36,4 +36,9 @@ struct LatticeSurroundings {
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,
                              int rays = 1024);
 
+/// How far apart the nodes of such a lattice are to be: `usual`, and half of it where light comes into the box through
+/// openings, since it falls steeply beside a door. An opening is what some rays of some nodes pass by far, and most do
+/// not. `low`, `high`: the box, probe frame.
+float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, const LatticeSurroundings& in);
+
 }  // namespace boxprobe

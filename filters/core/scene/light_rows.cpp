@@ -42,7 +42,8 @@ const std::vector<FieldRow<Light>>& lightFields() {
                              "What blocks the light where it stands outside of a probe's box. Ray-traced reflections "
                              "trace it, but for `none`.")
           .choose({{"none",
-                    "nothing that it is told of: where lamps are shapes, what stands still shadows it by itself; with lamps "
+                    "nothing that it is told of: where lamps are shapes, what stands still shadows it by itself; with "
+                    "lamps "
                     "in the map it shines through walls"},
                    {"coverage", "what the probe saw in the light's direction"},
                    {"coverage+map", "the same, and a shadow map of the objects that move"}}),

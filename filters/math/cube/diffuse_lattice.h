@@ -21,7 +21,7 @@ struct LatticeSettings {
 };
 
 struct DiffuseLattice : shading::LatticeSampler {
-  static constexpr int kParts = 7;      ///< texels a node
+  static constexpr int kParts = 7;     ///< texels a node
   static constexpr int kCutParts = 3;  ///< and as many more where ways between nodes are cut
   static constexpr int kMostNodes = 16;
 

@@ -23,7 +23,8 @@ namespace boxprobe::shading {
 class LatticeSampler {
  public:
   virtual ~LatticeSampler() = default;
-  /// Texel `part`, 0 to 6, or 9 if the way between some nodes is cut, of a node; linear between nodes. `place`: number of the node along each axis, within them.
+  /// Texel `part`, 0 to 6, or 9 if the way between some nodes is cut, of a node; linear between nodes. `place`: number
+  /// of the node along each axis, within them.
   virtual glm::vec4 fetchLattice(const glm::vec3& place, int part) const = 0;
 };
 

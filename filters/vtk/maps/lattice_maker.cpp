@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 
 #include "filters/math/cube/lamp_free.h"
 
@@ -39,9 +38,7 @@ struct LatticeWork {
     shape.projection = source.projection;
     LatticeSettings settings;
     if (source.fewRays) settings.rays = kFewRays;
-    if (const char* text = getenv("XSPACING")) settings.spacing = static_cast<float>(atof(text));
-    else
-    settings.spacing = source.traced.lines ? 0.5f : 1.0f;
+    settings.spacing = tracedSpacing(source.boxMin, source.boxMax, settings.spacing, source.traced);
     const CubeMap capture = latticeCapture(radiance);
     const CubeMap sky = source.sky ? plainMeans(*source.sky) : CubeMap();
     const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));

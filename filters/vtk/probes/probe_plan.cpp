@@ -55,9 +55,10 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures, bool la
   largest_ = std::max(largest_, size);
   ++count_;
   if (!lattices) return;
-  const glm::ivec3 nodes = latticeNodes(glm::vec3(probe.box.size()), LatticeSettings{}.spacing);
-  lattices_ += static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) * (DiffuseLattice::kParts + DiffuseLattice::kCutParts) *
-               sizeof(glm::vec4);
+  // As many as it may have, where there is a door: tracedSpacing().
+  const glm::ivec3 nodes = latticeNodes(glm::vec3(probe.box.size()), 0.5f * LatticeSettings{}.spacing);
+  lattices_ += static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) *
+               (DiffuseLattice::kParts + DiffuseLattice::kCutParts) * sizeof(glm::vec4);
 }
 
 std::string MemoryNeed::error(std::size_t limitBytes) const {
