@@ -15,13 +15,11 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/explain/diffuse_truth.h"
 #include "app/gui/explain/explain_card.h"
 #include "app/gui/explain/footprint_view.h"
 #include "app/gui/explain/ray_panel.h"
@@ -261,28 +259,6 @@ TEST_F(DebugViewTest, EverySurfaceViewShowsItsValueUnderThePointer) {
   }
   choose("surfaceView", 0);
   EXPECT_LT(differingShare(picture, shownPicture(window_->viewport())), 1e-3);
-}
-
-// Hatched until the first pass is traced; then the readout has a number, and a camera that moves makes it unknown
-// again.
-TEST_F(DebugViewTest, TheDiffuseErrorIsTracedInTheBackground) {
-  auto* readout = window_->viewport().findChild<QLabel*>();
-  ASSERT_NE(readout, nullptr);
-  choose("surfaceView", *findSurfaceView("diffuse-error"));
-  const QPointF wall = pixelOf({0.4, 1.2, -1.9});
-  const QImage hatched = shownPicture(window_->viewport());
-  ASSERT_TRUE(waitFor([this] { return debug().diffuseTruth().share() > 0.0; }));
-  const QImage traced = shownPicture(window_->viewport());
-  EXPECT_GT(differingShare(hatched, traced), 0.1);
-  keep("view-diffuse-error-traced");
-  move(wall);
-  settle();
-  EXPECT_TRUE(readout->text().contains(QRegularExpression("[0-9]\\.[0-9]"))) << readout->text().toStdString();
-  Camera camera = window_->renderer().currentCamera();
-  camera.position.x += 0.3;
-  window_->renderer().applyCamera(camera);
-  shownPicture(window_->viewport());
-  EXPECT_EQ(debug().diffuseTruth().share(), 0.0);
 }
 
 TEST_F(DebugViewTest, ARangeTypedIsLockedAndUnlockedFollowsTheScene) {

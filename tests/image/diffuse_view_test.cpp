@@ -227,6 +227,7 @@ TEST_F(DiffuseView, AgainstPathsShapesAreNearAndCoefficientsAreNot) {
   settings.width = kWidth;
   settings.height = kHeight;
   settings.raysPerPixel = 256;
+  settings.bounces = 1;  // as the probe has
   settings.quantity = PathQuantity::DiffuseLight;
   const ReferencePath path(world.scene, {std::make_shared<const Model>(room())}, nullptr);
   world.renderer->setDiffuseTruth(diffuseTruthImage(path.render(world.renderer->currentCamera(), settings)));

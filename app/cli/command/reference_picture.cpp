@@ -281,10 +281,8 @@ bool comparesDiffuse(const std::string& view) {
 
 ImageRgbaF traceDiffuse(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
                         const InterruptGuard& interrupt) {
-  RenderOptions traced = options;
-  if (traced.bounces.empty()) traced.bounces = "all";
   ProgressLine line("diffuse light", !options.report.quiet);
-  const ReferencePicture light = tracePaths(loaded, camera, traced, PathQuantity::DiffuseLight, {}, [&](double done) {
+  const ReferencePicture light = tracePaths(loaded, camera, options, PathQuantity::DiffuseLight, {}, [&](double done) {
     line.show(done);
     return !interrupt.interrupted();
   });

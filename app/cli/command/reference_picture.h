@@ -16,7 +16,8 @@ bool isReference(const std::string& technique);
 /// Does this --view need traced diffuse light?
 bool comparesDiffuse(const std::string& view);
 
-/// What SceneRenderer::setDiffuseTruth takes: --rays paths per pixel, all bounces unless --bounces says otherwise.
+/// What SceneRenderer::setDiffuseTruth takes: --rays paths per pixel, bounces as of
+/// reference-path.
 /// Throws WorkError if interrupted.
 ImageRgbaF traceDiffuse(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
                         const InterruptGuard& interrupt);

@@ -80,10 +80,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->type_name("N");
   command.add_flag("--full", options.full, "reference-scene: reflections also show what the probes do not see");
   command
-      .add_option(
-          "--bounces", options.bounces,
-          "reference-path: how often light goes from surface to surface: 0 to 1000, or all (default: the most of "
-          "the scene's probes; without probes all). Of the view diffuse-error (default: all)")
+      .add_option("--bounces", options.bounces,
+                  "reference-path, view diffuse-error: how often light goes from surface to surface: 0 to 1000, or all "
+                  "(default: the most of "
+                  "the scene's probes; without probes all)")
       ->type_name("N|all");
   command
       .add_option("--shard", options.shard,

@@ -100,11 +100,8 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
           settings.width = width;
           settings.height = height;
           settings.raysPerPixel = rays;
-          if (light == TracedLight::Diffuse) {
-            settings.quantity = PathQuantity::DiffuseLight;
-          } else if (!scene.probes.empty()) {
-            settings.bounces = bouncesOf(scene);
-          }
+          if (light == TracedLight::Diffuse) settings.quantity = PathQuantity::DiffuseLight;
+          if (!scene.probes.empty()) settings.bounces = bouncesOf(scene);
           return path->render(camera, settings, goesOn);
         };
       } else {

@@ -21,7 +21,7 @@ namespace boxprobe {
 /// What is traced.
 enum class TracedLight {
   All,         ///< by reference-path: every bounce that the scene's probes have, shadows, all lights
-  Diffuse,     ///< diffuse light alone, all bounces; see PathQuantity::DiffuseLight
+  Diffuse,     ///< diffuse light alone, as many bounces; see PathQuantity::DiffuseLight
   Reflection,  ///< by reference-scene: the picture's own light, and the reflection alone traced
 };
 
