@@ -281,8 +281,11 @@ bool comparesDiffuse(const std::string& view) {
 
 ImageRgbaF traceDiffuse(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
                         const InterruptGuard& interrupt) {
+  RenderOptions traced = options;
+  constexpr int kSheetRays = 16;  // a sheet is an overview: its other views take seconds
+  if (options.view == kAllViews && options.rays == kDefaultReferenceRays) traced.rays = kSheetRays;
   ProgressLine line("diffuse light", !options.report.quiet);
-  const ReferencePicture light = tracePaths(loaded, camera, options, PathQuantity::DiffuseLight, {}, [&](double done) {
+  const ReferencePicture light = tracePaths(loaded, camera, traced, PathQuantity::DiffuseLight, {}, [&](double done) {
     line.show(done);
     return !interrupt.interrupted();
   });
