@@ -72,6 +72,10 @@ void SceneRenderer::setView(const SurfaceViewSettings& settings) {
   impl_->applyView();
 }
 
+void SceneRenderer::setDiffuseTruth(ImageRgbaF light) {
+  impl_->view.setTruth(std::move(light));
+}
+
 const SurfaceViewSettings& SceneRenderer::view() const {
   return impl_->view.settings();
 }
@@ -85,7 +89,9 @@ Explanation SceneRenderer::explain(int x, int y, int width, int height) {
 }
 
 std::vector<Explanation> SceneRenderer::explain(const std::vector<glm::ivec2>& pixels, int width, int height) {
-  return impl_->explain(pixels, width, height);
+  std::vector<Explanation> explained = impl_->explain(pixels, width, height);
+  for (Explanation& e : explained) e.tracedIrradiance = impl_->view.truthAt(e.x, e.y, width, height);
+  return explained;
 }
 
 void SceneRenderer::setInteractive(bool interactive) {

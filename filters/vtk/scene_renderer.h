@@ -163,6 +163,9 @@ class BOXPROBE_EXPORT SceneRenderer {
   /// further programs when first drawn.
   void setView(const SurfaceViewSettings& settings);
   const SurfaceViewSettings& view() const;
+  /// What the view `diffuse-error` compares with: diffuse light by a path tracer for the current camera, as
+  /// diffuseTruthImage() makes it, of the picture's shape in any number of pixels. Empty: not traced.
+  void setDiffuseTruth(ImageRgbaF light);
   /// The range of the current view; the scene's own unless a range is set.
   std::pair<double, double> viewRange() const;
 

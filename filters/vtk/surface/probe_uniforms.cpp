@@ -464,6 +464,10 @@ void uploadView(const UniformUpload& to, const DrawState& state, const ProbeBind
   const float range[2] = {debug.low, debug.high};
   to.program->SetUniform2f("bpViewRange", range);
   if (state.resources.viewColors != 0) to.texture2d("bpViewColors", state.resources.viewColors);
+  std::array<GLint, 4> viewport{0, 0, 1, 1};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  const glm::vec2 perPixel = 1.0f / glm::vec2(viewport[2], viewport[3]);
+  to.program->SetUniform2f("bpPerPixel", &perPixel.x);
   const auto& faces = faceColors();
   to.program->SetUniform3fv("bpFaceColors", 6, reinterpret_cast<const float(*)[3]>(&faces[0].x));
   to.program->SetUniformf("bpObject", static_cast<float>(object));
