@@ -69,6 +69,12 @@ TruthRow TruthStage::refinedRow(const TruthPicture& picture, const BenchTechniqu
   const Camera& from = camera(picture.camera);
   shown_.show(withTechnique(scene_, technique), models_, {from});
   SceneRenderer& renderer = shown_.renderer();
+  if (rays <= 0) {
+    captureShown();
+    const ImageRgbaF own = renderer.renderLinear(kFineness * index_.width, kFineness * index_.height, 1);
+    shown_.requireHealthy();
+    return compareWithTruth(index_, picture, from, technique.label(), boxAveraged(own, kFineness));
+  }
   RefineSettings settings;
   settings.rays = rays;
   renderer.refine(settings);

@@ -40,6 +40,13 @@ TEST(Refinement, AGoodFrameIsNotReplacedByFewRays) {
   refinement.begin(endingAt(256), 64);
   EXPECT_EQ(refinement.rays().inAll, 64);
   EXPECT_LT(refinement.share(1), 0.2);
+  // What is worth as much as the first stage has half of it; the next replaces both.
+  EXPECT_DOUBLE_EQ(refinement.share(refinement.frames()), 0.5);
+  refinement.endStage({0.2, 9.0});
+  EXPECT_EQ(refinement.rays().inAll, 256);
+  EXPECT_DOUBLE_EQ(refinement.share(refinement.frames()), 1.0);
+  refinement.begin(endingAt(16), 64);
+  EXPECT_DOUBLE_EQ(refinement.share(refinement.frames()), 0.2);
 }
 
 TEST(Refinement, AStageGrowsIntoThePictureAndStandsForItAtItsEnd) {

@@ -166,7 +166,11 @@ bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
     return false;
   }
   if (frames >= wanted && stages_.more()) {
-    if (!guessing_) stages_.endStage(pass->GetChange(window_, state_->exposure()));
+    if (!guessing_) {
+      const double share = stages_.share(frames);
+      stages_.endStage(pass->GetChange(window_, state_->exposure()));
+      pass->KeepBefore(window_, share);
+    }
     guessing_ = false;
     if (stages_.more()) pass->Promote();
   }

@@ -71,6 +71,7 @@ double Refinement::share(int framesDone) const {
   if (!more()) return 1.0;
   const double all = frames(), done = std::min<double>(framesDone, all);
   const double before = (stage_ == 0 ? firstGuess_ : stages_[stage_ - 1]) / static_cast<double>(rays().aFrame);
+  if (stage_ == 0 && firstGuess_ >= stages_[0]) return done / (done + before);
   return done / (done + before * (1.0 - done / all));
 }
 

@@ -1,7 +1,8 @@
 // Refines a picture at rest in stages of 16, 64, 256 rays per pixel and more, or from 64 on; each averages frames whose
 // rays are blurred for the number of the stage. A stage is blended with the previous one as its rays come in, and has
 // replaced it at its end. So the result does not depend on how it was reached, nothing jumps, and the difference of two
-// stages estimates the remaining error.
+// stages estimates the remaining error. Only a frame of the technique that is worth as many rays as the first stage has
+// keeps its part of that stage: both are off in other places, and their mean by less than either.
 #pragma once
 
 #include <vector>
@@ -47,7 +48,7 @@ class Refinement {
   /// Of the current stage.
   RefinedRays rays() const;
   int frames() const;
-  /// The weight of its average in the picture after `framesDone` frames.
+  /// The weight of its average in the picture after `framesDone` frames. Below 1 for a complete stage, the rest stays.
   double share(int framesDone) const;
 
   /// Frames in total; below, those of the complete stages.

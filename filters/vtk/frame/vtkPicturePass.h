@@ -54,6 +54,8 @@ class vtkPicturePass : public vtkRenderPass {
   int GetFrames() const { return this->Average ? this->Average->frames() : 0; }
   /** The next frame is the first of an average that replaces this one. */
   void Promote() { this->Average->promote(); }
+  /** Keeps some of the previous average for good: the frames of this one are then `share` of it. */
+  void KeepBefore(vtkWindow* window, double share);
   /** The difference between the average and the previous one. Reads both back. */
   boxprobe::PictureChange GetChange(vtkWindow* window, double exposure) const;
 
