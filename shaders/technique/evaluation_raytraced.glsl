@@ -6,7 +6,7 @@
 //                     the share of alpha that falls to one sample
 //   filtered          the level of the patch of wall that the sample stands for, by its own solid angle; each sample blurs, so the
 //                     rays are drawn from a narrower lobe, and both together are as wide as the surface's. Along the surface the
-//                     patch is smaller: one that reached below it would take the dark that the map has there for light
+//                     patch is smaller, so that it does not reach into what lies below
 // Of a picture that is a mean of frames `total` says how many rays there will be in all: each is then blurred for that many, and the
 // mean of the frames is what one frame of all the rays would show.
 // With sampling `luminance` half of the rays are drawn from the lobe and half from the probe's brightness; each counts by how likely
@@ -27,7 +27,7 @@ float narrowedRoughness(float roughness, float number)
 }
 
 // Steradian, times the squared sine of a ray's angle to the surface: the largest patch that stays above it.
-const float kClearOfSurface = 0.25f;
+const float kClearOfSurface = 2.0f;
 
 // `solidAngle`: what one sample stands for. `rise`: the sine of the ray's angle to the surface.
 float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEach, float solidAngle, float rise)

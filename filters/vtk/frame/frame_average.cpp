@@ -15,19 +15,6 @@ FrameAverage::FrameAverage(Counters* counters)
     : color_({"gpu/add_frame.glsl"}, counters), apart_({"gpu/add_frame_apart.glsl"}, counters) {}
 
 void FrameAverage::add(vtkOpenGLRenderWindow* window, const FrameTarget& frame) {
-  addScaled(window, frame, 1.0);
-  ++frames_;
-  weight_ += 1.0;
-}
-
-void FrameAverage::keepBefore(vtkOpenGLRenderWindow* window, double share) {
-  if (!(share > 0.0 && share < 1.0) || weight_ <= 0.0 || weightBefore_ <= 0.0) return;
-  const double whole = weight_ / share;
-  addScaled(window, sumsBefore(), (whole - weight_) / weightBefore_);
-  weight_ = whole;
-}
-
-void FrameAverage::addScaled(vtkOpenGLRenderWindow* window, const FrameTarget& frame, double scale) {
   const bool apart = frame.attachments() > 1;
   FrameTarget& sums = targets_[at_];
   sums.allocate(frame.width(), frame.height(), 0, apart ? 2 : 1);
@@ -46,27 +33,26 @@ void FrameAverage::addScaled(vtkOpenGLRenderWindow* window, const FrameTarget& f
   if (apart) reflection = std::make_unique<BoundTexture>(window, GL_TEXTURE_2D, frame.texture(1));
   (apart ? apart_ : color_).draw(window, [&](vtkShaderProgram* program) {
     program->SetUniformi("bpColor", color.unit());
-    program->SetUniformf("bpScale", static_cast<float>(scale));
     if (reflection) program->SetUniformi("bpReflection", reflection->unit());
   });
+  ++frames_;
 }
 
 void FrameAverage::promote() {
-  weightBefore_ = weight_;
+  framesBefore_ = frames_;
   frames_ = 0;
-  weight_ = 0.0;
   at_ = 1 - at_;
 }
 
 namespace {
 
-std::vector<float> meanOf(vtkOpenGLRenderWindow* window, const FrameTarget& sums, double weight) {
+std::vector<float> meanOf(vtkOpenGLRenderWindow* window, const FrameTarget& sums, int frames) {
   std::vector<float> pixels(static_cast<std::size_t>(sums.width()) * static_cast<std::size_t>(sums.height()) * 4);
-  if (weight <= 0.0) return pixels;
+  if (frames <= 0) return pixels;
   const BoundTexture bound(window, GL_TEXTURE_2D, sums.texture(0));
   window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(bound.unit()));
   glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, pixels.data());
-  const auto scale = static_cast<float>(1.0 / weight);
+  const float scale = 1.0f / static_cast<float>(frames);
   for (float& value : pixels) value *= scale;
   return pixels;
 }
@@ -74,11 +60,11 @@ std::vector<float> meanOf(vtkOpenGLRenderWindow* window, const FrameTarget& sums
 }  // namespace
 
 std::vector<float> FrameAverage::mean(vtkOpenGLRenderWindow* window) const {
-  return meanOf(window, sums(), weight_);
+  return meanOf(window, sums(), frames_);
 }
 
 std::vector<float> FrameAverage::meanBefore(vtkOpenGLRenderWindow* window) const {
-  return meanOf(window, sumsBefore(), weightBefore_);
+  return meanOf(window, sumsBefore(), framesBefore_);
 }
 
 void FrameAverage::releaseSums() {

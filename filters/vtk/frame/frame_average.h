@@ -14,23 +14,17 @@ class FrameAverage {
   explicit FrameAverage(Counters* counters);
 
   /// The next frame is the first of a new picture.
-  void restart() {
-    frames_ = 0;
-    weight_ = weightBefore_ = 0.0;
-  }
+  void restart() { frames_ = framesBefore_ = 0; }
   /// The next frame is the first of an average that will replace the current one.
   void promote();
   int frames() const { return frames_; }
-  /// Keeps some of the previous average in this one, for good: this one's frames are then `share` of it.
-  void keepBefore(vtkOpenGLRenderWindow* window, double share);
   /// Adds colour, and the sampled reflection if the frame has it separately.
   void add(vtkOpenGLRenderWindow* window, const FrameTarget& frame);
-  /// Sums, to be divided by weight(): attachment 0 colour, 1 the sampled reflection.
+  /// Sums, to be divided by frames(): attachment 0 colour, 1 the sampled reflection.
   const FrameTarget& sums() const { return targets_[at_]; }
-  double weight() const { return weight_; }
-  /// The same for the previous average; weightBefore() of 0: there is none.
+  /// The same for the previous average; framesBefore() of 0: there is none.
   const FrameTarget& sumsBefore() const { return targets_[1 - at_]; }
-  double weightBefore() const { return weightBefore_; }
+  int framesBefore() const { return framesBefore_; }
   /// The averaged colours, read back: RGBA, from the lower left.
   std::vector<float> mean(vtkOpenGLRenderWindow* window) const;
   std::vector<float> meanBefore(vtkOpenGLRenderWindow* window) const;
@@ -38,13 +32,10 @@ class FrameAverage {
   void release();
 
  private:
-  void addScaled(vtkOpenGLRenderWindow* window, const FrameTarget& frame, double scale);
-
   std::array<FrameTarget, 2> targets_;
   std::size_t at_ = 0;
   FullScreenPass color_, apart_;
-  int frames_ = 0;
-  double weight_ = 0.0, weightBefore_ = 0.0;  ///< what the sums are to be divided by
+  int frames_ = 0, framesBefore_ = 0;
 };
 
 }  // namespace boxprobe

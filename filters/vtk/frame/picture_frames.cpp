@@ -167,12 +167,14 @@ bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
   }
   if (frames >= wanted && stages_.more()) {
     if (!guessing_) {
-      const double share = stages_.share(frames);
-      stages_.endStage(pass->GetChange(window_, state_->exposure()));
-      pass->KeepBefore(window_, share);
+      const double exposure = state_->exposure();
+      stages_.endStage(pass->GetChange(window_, exposure), pass->GetChangeWithin(window_, exposure));
     }
     guessing_ = false;
     if (stages_.more()) pass->Promote();
+  }
+  if (!guessing_ && stages_.more() && frames == stages_.framesOfPart() && frames < stages_.frames()) {
+    pass->KeepPart(window_);
   }
   if (!guessing_) setRays(stages_.rays());
   pass->Limit = guessing_ ? 1 : stages_.more() ? stages_.frames() : std::max(frames, 1);

@@ -1,8 +1,7 @@
 // Refines a picture at rest in stages of 16, 64, 256 rays per pixel and more, or from 64 on; each averages frames whose
 // rays are blurred for the number of the stage. A stage is blended with the previous one as its rays come in, and has
 // replaced it at its end. So the result does not depend on how it was reached, nothing jumps, and the difference of two
-// stages estimates the remaining error. Only a frame of the technique that is worth as many rays as the first stage has
-// keeps its part of that stage: both are off in other places, and their mean by less than either.
+// stages estimates the remaining error.
 #pragma once
 
 #include <vector>
@@ -40,15 +39,18 @@ class Refinement {
  public:
   /// Starts. `firstGuess`: the number of rays that the technique's own frame is worth.
   void begin(const RefineSettings& settings, int firstGuess);
-  /// To be called when the current stage has all its frames. Advances to the next, or ends.
-  void endStage(const PictureChange& change);
+  /// To be called when the current stage has all its frames. Advances to the next, or ends. `within`: the difference
+  /// between its first frames, framesOfPart(), and all of them; none: unknown.
+  void endStage(const PictureChange& change, const PictureChange& within = {});
   /// Are there frames to draw after the technique's own?
   bool more() const { return stage_ < stages_.size(); }
 
   /// Of the current stage.
   RefinedRays rays() const;
   int frames() const;
-  /// The weight of its average in the picture after `framesDone` frames. Below 1 for a complete stage, the rest stays.
+  /// A quarter of frames(), whose rays have about twice the noise of all.
+  int framesOfPart() const { return (frames() + 3) / 4; }
+  /// The weight of its average in the picture after `framesDone` frames.
   double share(int framesDone) const;
 
   /// Frames in total; below, those of the complete stages.

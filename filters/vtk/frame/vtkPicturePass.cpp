@@ -194,19 +194,19 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
   state->vtkglDepthFunc(GL_ALWAYS);
   state->vtkglDepthMask(GL_TRUE);
   const bool blurred = this->BlurredRays > 0;
-  const double weight = this->Average->weight(), weightBefore = this->Average->weightBefore();
-  const double share = weightBefore > 0.0 && this->Share ? this->Share(this->Average->frames()) : 1.0;
+  const int frames = this->Average->frames(), framesBefore = this->Average->framesBefore();
+  const double share = framesBefore > 0 && this->Share ? this->Share(frames) : 1.0;
   const boxprobe::BoundTexture before(window, GL_TEXTURE_2D,
-                                      weightBefore > 0.0 ? this->Average->sumsBefore().texture(0) : sums.texture(0));
+                                      framesBefore > 0 ? this->Average->sumsBefore().texture(0) : sums.texture(0));
   const boxprobe::BoundTexture color(window, GL_TEXTURE_2D, blurred ? this->Blur->color() : sums.texture(0));
   const boxprobe::BoundTexture depth(window, GL_TEXTURE_2D, this->Frame.depth());
   this->PresentedBy(this->State->resources.tone).draw(window, [&](vtkShaderProgram* program) {
     program->SetUniformi("bpColor", color.unit());
     program->SetUniformi("bpDepth", depth.unit());
     program->SetUniformi("bpFiner", this->Finer());
-    program->SetUniformf("bpScale", blurred ? 1.0f : static_cast<float>(weight > 0.0 ? share / weight : share));
+    program->SetUniformf("bpScale", blurred ? 1.0f : static_cast<float>(share / std::max(frames, 1)));
     program->SetUniformi("bpBefore", before.unit());
-    program->SetUniformf("bpBeforeScale", weightBefore > 0.0 ? static_cast<float>((1.0 - share) / weightBefore) : 0.0f);
+    program->SetUniformf("bpBeforeScale", static_cast<float>((1.0 - share) / std::max(framesBefore, 1)));
     program->SetUniformf("bpExposure", this->Framebuffer == 0 ? this->State->pass().exposure : boxprobe::kLinearOutput);
   });
 }
@@ -216,8 +216,17 @@ boxprobe::PictureChange vtkPicturePass::GetChange(vtkWindow* window, double expo
   return boxprobe::pictureChange(this->Average->meanBefore(openGl), this->Average->mean(openGl), exposure);
 }
 
-void vtkPicturePass::KeepBefore(vtkWindow* window, double share) {
-  this->Average->keepBefore(vtkOpenGLRenderWindow::SafeDownCast(window), share);
+void vtkPicturePass::KeepPart(vtkWindow* window) {
+  this->Part = this->Average->mean(vtkOpenGLRenderWindow::SafeDownCast(window));
+}
+
+boxprobe::PictureChange vtkPicturePass::GetChangeWithin(vtkWindow* window, double exposure) {
+  const std::vector<float> part = std::move(this->Part);
+  this->Part.clear();
+  if (part.empty()) {
+    return {};
+  }
+  return boxprobe::pictureChange(part, this->Average->mean(vtkOpenGLRenderWindow::SafeDownCast(window)), exposure);
 }
 
 void vtkPicturePass::ReleaseTargets() {

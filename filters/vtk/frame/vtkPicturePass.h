@@ -54,10 +54,12 @@ class vtkPicturePass : public vtkRenderPass {
   int GetFrames() const { return this->Average ? this->Average->frames() : 0; }
   /** The next frame is the first of an average that replaces this one. */
   void Promote() { this->Average->promote(); }
-  /** Keeps some of the previous average for good: the frames of this one are then `share` of it. */
-  void KeepBefore(vtkWindow* window, double share);
   /** The difference between the average and the previous one. Reads both back. */
   boxprobe::PictureChange GetChange(vtkWindow* window, double exposure) const;
+  /** Keeps the average of the frames so far, for GetChangeWithin. */
+  void KeepPart(vtkWindow* window);
+  /** The difference between that part and the average; none if none was kept. Forgets it. */
+  boxprobe::PictureChange GetChangeWithin(vtkWindow* window, double exposure);
 
   void Render(const vtkRenderState* s) override;
   /** Releases the pictures, but not the programs. */
@@ -85,5 +87,6 @@ class vtkPicturePass : public vtkRenderPass {
   boxprobe::FrameTarget Frame;
   vtkNew<vtkTargetPass> Target;
   vtkNew<vtkSequencePass> OnTop;
+  std::vector<float> Part;            ///< RGBA; empty: none is kept
   double DepthRange[2] = {0.0, 0.0};  ///< clipping distances of the current depth
 };
