@@ -43,7 +43,7 @@ TEST(Refinement, AGoodFrameIsNotReplacedByFewRays) {
   // A single stage tells by its own frames what is left.
   EXPECT_LT(refinement.framesOfPart(), refinement.frames());
   refinement.endStage({0.2, 9.0}, {0.03, 2.0});
-  EXPECT_GE(refinement.left(), 0.03);
+  EXPECT_GE(refinement.left(), 0.01);
   EXPECT_LE(refinement.left(), 0.06);
 }
 

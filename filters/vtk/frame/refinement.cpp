@@ -16,8 +16,8 @@ constexpr int kMostAFrame = 8;
 // A stage with 4 times the rays has about half of the error of the previous one; the remaining error then equals their
 // difference, and is larger where both miss the same light.
 constexpr double kLeftOfChange = 1.2;
-// The same of a quarter of a stage and all of it.
-constexpr double kLeftOfPart = 1.5;
+// Of the difference between a quarter of a stage and all of it, which has about twice its noise.
+constexpr double kLeftOfPart = 0.65;
 constexpr double kEvenness = 1.5;
 
 // Omits stages that would be worse than the frame they replace: as many rays may miss a small lamp by more than a frame
@@ -54,7 +54,7 @@ void Refinement::begin(const RefineSettings& settings, int firstGuess) {
 void Refinement::endStage(const PictureChange& change, const PictureChange& within) {
   const bool first = stage_ == 0;
   if (!first) left_ = kLeftOfChange * change.relativeRms;
-  if (within.relativeRms > 0.0) left_ = std::max(left_, kLeftOfPart * within.relativeRms);
+  if (within.relativeRms > 0.0) left_ = kLeftOfPart * within.relativeRms;
   ++stage_;
   const bool nothingShows = change.stepsOf8Bits < kNothingShows && settings_.until <= 0.0;
   const bool enough = settings_.until > 0.0 && left_ >= 0.0 && left_ <= settings_.until;
@@ -107,8 +107,8 @@ PictureChange pictureChange(const std::vector<float>& before, const std::vector<
       most = std::max(most, std::abs(shown(exposure * b) - shown(exposure * a)));
     }
     steps.push_back(static_cast<float>(most));
-    // Pixels that no ray reached are equal up to rounding.
-    if (!(change > 1.0e-10 * square)) continue;
+    // Pixels that rays hardly concern do not thin out the others: 0.3 % is less than a step of 8 bits.
+    if (!(change > 1.0e-5 * square)) continue;
     changes += change;
     squares += square;
   }
