@@ -53,7 +53,10 @@ class GlTrouble : public ::testing::Test {
 
 TEST_F(GlTrouble, MapsThatDoNotFitAreRefusedWithTheFigureBeforeTheyAreAllocated) {
   const Setting limit("BOXPROBE_TEXTURE_MEMORY", "100");
-  expectFailure({"probes.room.faceSize=2048"}, {"the maps of 1 probes", "2048 texels", "608 MB", "100 MB", "faceSize"});
+  const std::string size = "probes.room.faceSize=2048";
+  expectFailure({size, "probes.room.bounces=1"},
+                {"the maps of 1 probes", "2048 texels", "608 MB", "100 MB", "faceSize"});
+  expectFailure({size}, {"960 MB", "100 MB", "bounces"});  // two: the first is held until the second is there
 }
 
 TEST_F(GlTrouble, ASceneRendererWithoutMemoryDrawsOnAndRecoversWithSmallerFaces) {

@@ -22,6 +22,7 @@ inline Scene noisyRoom(double samples) {
   scene.lamps = LampForm::InMap;  // what rays find in the map is smoothed, not what stands for them
   Probe& probe = scene.probes.at(0);
   probe.faceSize = 64;
+  probe.bounces = 1;  // a further one would show the technique's own error within reflections
   probe.samplesPerPixel = 1;
   probe.technique = "raytraced";
   probe.parameters = {{"samples", samples}, {"animated", true}};

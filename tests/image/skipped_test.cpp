@@ -17,9 +17,15 @@ namespace {
 
 constexpr int kWidth = 160, kHeight = 90;
 
-ScenePicture shownRoom() {
+/// Of one bounce: each capture skips levels of its own.
+ScenePicture roomOfOneBounce() {
   ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", kWidth, kHeight);
-  picture.scene.probes[0].bounces = 1;  // each capture skips levels of its own
+  picture.scene.probes[0].bounces = 1;
+  return picture;
+}
+
+ScenePicture shownRoom() {
+  ScenePicture picture = roomOfOneBounce();
   picture.show(cameraNamed(picture.scene, "main"));
   return picture;
 }
@@ -74,7 +80,7 @@ TEST(Skipped, MissingLevelsAreMadeOneAtATime) {
 }
 
 TEST(Skipped, ALevelThatIsMadeLaterIsTheSame) {
-  ScenePicture later = shownRoom(), atOnce = ScenePicture::fromFile("scenes/room.boxprobe.json", kWidth, kHeight);
+  ScenePicture later = shownRoom(), atOnce = roomOfOneBounce();
   const std::string name = later.scene.probes[0].name;
   atOnce.renderer->setBakeTargets({name});  // files hold every level
   atOnce.show(cameraNamed(atOnce.scene, "main"));
@@ -96,7 +102,7 @@ TEST(Skipped, AMaterialThatComesToNeedALevelGetsIt) {
   edit(edited, [](Scene& s) { s.materials["sphere"].roughness = 0.45f; });
   EXPECT_GT(counters.levelsMadeLater, 0u);
   EXPECT_EQ(counters.facesCaptured, faces) << "filtered from the capture that is there";
-  ScenePicture fresh = ScenePicture::fromFile("scenes/room.boxprobe.json", kWidth, kHeight);
+  ScenePicture fresh = roomOfOneBounce();
   fresh.scene.materials["sphere"].roughness = 0.45f;
   fresh.show(cameraNamed(fresh.scene, "main"));
   EXPECT_EQ(fresh.renderer->counters().levelsMadeLater, 0u);
@@ -198,7 +204,7 @@ TEST_F(SkippedFiles, ABakedFileHoldsEveryLevel) {
   ASSERT_GT(picture.renderer->counters().levelsSkipped, 0u);
   const std::string name = picture.scene.probes[0].name;
   const BakedMaps saved = loadBakedProbe(picture.renderer->saveBaked(name, file(""), "test")).maps;
-  ScenePicture whole = ScenePicture::fromFile("scenes/room.boxprobe.json", kWidth, kHeight);
+  ScenePicture whole = roomOfOneBounce();
   whole.renderer->setBakeTargets({name});
   whole.show(cameraNamed(whole.scene, "main"));
   const BakedMaps expected = whole.renderer->readMaps(name).value();
