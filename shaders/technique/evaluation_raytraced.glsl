@@ -5,8 +5,7 @@
 //   levelOffset       a level that grows with the distance d of the hit as HDRP's form has it: that of a lobe of d / |H - C| times
 //                     the share of alpha that falls to one sample
 //   filtered          the level of the patch of wall that the sample stands for, by its own solid angle; each sample blurs, so the
-//                     rays are drawn from a narrower lobe, and both together are as wide as the surface's. Along the surface the
-//                     patch is smaller, so that it does not reach into what lies below
+//                     rays are drawn from a narrower lobe, and both together are as wide as the surface's
 // Of a picture that is a mean of frames `total` says how many rays there will be in all: each is then blurred for that many, and the
 // mean of the frames is what one frame of all the rays would show.
 // With sampling `luminance` half of the rays are drawn from the lobe and half from the probe's brightness; each counts by how likely
@@ -26,16 +25,13 @@ float narrowedRoughness(float roughness, float number)
   return roughness * max(1.0f - 0.56f / number, 0.775f);
 }
 
-// Steradian, times the squared sine of a ray's angle to the surface: the largest patch that stays above it.
-const float kClearOfSurface = 2.0f;
-
-// `solidAngle`: what one sample stands for. `rise`: the sine of the ray's angle to the surface.
-float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEach, float solidAngle, float rise)
+// `solidAngle`: what one sample stands for.
+float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEach, float solidAngle)
 {
   if (probe.parameters.filtered == 1)
   {
     // A lobe of that solid angle at its peak has alpha² = solid angle / (4 pi); times a factor, fitted, as is the bias.
-    float size = 3.0f * 0.0795775f * min(solidAngle, kClearOfSurface * rise * rise);
+    float size = 3.0f * 0.0795775f * solidAngle;
     return footprintLevel(probe, size * footprintScale(probe, hit, direction), -0.5f);
   }
   if (probe.parameters.levelOffset == 1)
@@ -97,7 +93,7 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
         float expected = lobeNumber + lightNumber * density * s.solidAngle;
         float facet = sqrt(max(0.5f + 0.5f * dot(point.view, s.direction), 0.0f));  // V.H
         float share = s.weight * facetReflectance(point.f0, facet, 1.0f) / expected;
-        float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle * number / (expected * inAll), dot(point.normal, s.direction));
+        float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle * number / (expected * inAll));
         sum = sum + share * fetchProbe(map, probe, hit.direction, level);
         weights = weights + share;
       }
