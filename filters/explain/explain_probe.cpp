@@ -67,9 +67,7 @@ DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& 
   const DiffuseLattice& lattice = *probe.lattice;
   const shading::LatticeShape shape = lattice.shape();
   e.lattice = shading::latticeIrradiance(shape, positionProbe, facingProbe, s.normalWorld);
-  shading::LatticeShape around = shape;
-  around.cut = 0.0f;  // of the nodes around, seen or not
-  e.known = shading::latticeKnown(around, positionProbe, facingProbe);
+  e.known = shading::latticeKnown(shape, positionProbe);
   e.nodeCount = lattice.nodes;
   glm::vec3 place = shading::latticePlace(shape, positionProbe);
   if (shape.cut > 0.0f) place = shading::latticeSeen(shape, place, facingProbe);

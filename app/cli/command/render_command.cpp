@@ -111,6 +111,10 @@ void runRender(const RenderOptions& options) {
   if (comparesDiffuse(options.view)) {
     shown.renderer().setDiffuseTruth(traceDiffuse(loaded, camera, options, interrupt));
   }
+  if (refine.rays > 0) {
+    shown.renderer().sharpenMirrors(size.height);
+    captureShown(shown, interrupt, options.report.quiet);
+  }
   if (!linear) exposeAutomatically(shown, loaded, settings, aspect);
   const PictureTimes times = drawPicture(shown, options, linear, interrupt);
 

@@ -70,7 +70,8 @@ vec3 latticeSeen(LatticeShape lattice, vec3 place, vec3 facing);
 /// Irradiance over pi; `position` and the direction that the surface faces in the probe's frame, that direction again
 /// (the unit normal `n`) in the world's axes.
 vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 facing, vec3 n);
-/// Weight of the nodes around `position`, probe frame, that do not have their light from neighbours.
-float latticeKnown(LatticeShape lattice, vec3 position, vec3 facing);
+/// Weight of the nodes around `position`, probe frame, seen from there or not, that do not have their light from
+/// neighbours.
+float latticeKnown(LatticeShape lattice, vec3 position);
 
 }  // namespace boxprobe::shading
