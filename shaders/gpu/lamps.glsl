@@ -39,7 +39,7 @@ float bpLampWeight(int lamp, vec4 shares)
 {
   float sum = 0.0f;
   float whole = 0.0f;
-  for (int slot = 0; slot < BP_EACH_SLOT; ++slot)
+  for (int slot = 0; slot < BP_SLOTS; ++slot)
   {
     float seen = bpLampOf[lamp][slot];
 #if BP_SIGHTS

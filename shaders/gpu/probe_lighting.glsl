@@ -22,15 +22,6 @@
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
 
-// The bound of a loop that is not to be unrolled: drivers take seconds to compile some twenty copies of what stands in them.
-uniform int bpZero;  // never set
-#define KEPT_LOOP(turns) ((turns) + bpZero)
-#if BP_SLOTS > 1
-#define BP_EACH_SLOT KEPT_LOOP(BP_SLOTS)
-#else
-#define BP_EACH_SLOT BP_SLOTS
-#endif
-
 uniform mat3 bpViewToWorld;
 uniform ivec2 bpPixelOrigin;    // where in the picture the framebuffer's lower left lies
 uniform int bpFrame;            // of those that are averaged, from 0
@@ -115,8 +106,6 @@ struct BpLight
 
 //BP::ShareOut
 
-//BP::Diffuse
-
 //BP::Sights
 
 //BP::Lamps
@@ -158,9 +147,6 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   bpFindSights(position, BP_FACING);
 #endif
 //BP::AddSlots
-#if BP_DIFFUSE && BP_SLOTS > 0
-  light.irradiance += bpProbesIrradiance(position, BP_FACING);
-#endif
 #if BP_LAMP_SHAPES
   light.irradiance += bpLampsIrradiance(position, BP_FACING);
 #endif

@@ -51,6 +51,27 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
 #ifdef BP_MIRROR
   light.share += weight;
 #endif
+#if BP_DIFFUSE
+#if BP_LATTICE
+  if (bpLatticeLast[@SLOT@].x > 0.0f)
+  {
+    vec3 facing = BP_FACING;
+#if BP_ROTATED
+    facing = probeFromWorld * facing;
+#endif
+    light.irradiance += weight * latticeIrradiance(bpLatticeShape(@SLOT@), point.position, facing, BP_FACING);
+#if BP_DEBUG
+    float nodes = bpCoat ? 0.0f : weight / max(bpIntensity[@SLOT@], 1.0e-30f);
+    bpNodeShare += nodes;
+    bpNodeKnown += nodes * latticeKnown(bpLatticeShape(@SLOT@), point.position);
+#endif
+  }
+  else
+#endif
+  light.irradiance += weight * shIrradiance(BP_FACING, bpSh[9 * @SLOT@], bpSh[9 * @SLOT@ + 1], bpSh[9 * @SLOT@ + 2],
+                                            bpSh[9 * @SLOT@ + 3], bpSh[9 * @SLOT@ + 4], bpSh[9 * @SLOT@ + 5],
+                                            bpSh[9 * @SLOT@ + 6], bpSh[9 * @SLOT@ + 7], bpSh[9 * @SLOT@ + 8]);
+#endif
 #if BP_DEBUG
   float share = weight / max(bpIntensity[@SLOT@], 1.0e-30f);
   bpWeightColor += bpCoat ? vec3(0.0f) : share * bpProbeColor[@SLOT@];

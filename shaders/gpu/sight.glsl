@@ -18,7 +18,7 @@ vec4 bpSeenShares[4 * BP_SLOTS];
 // `position`: relative to the eye; it and the normal along the world's axes. Before bpSeen.
 void bpFindSights(vec3 position, vec3 normal)
 {
-  for (int slot = 0; slot < BP_EACH_SLOT; ++slot)
+  for (int slot = 0; slot < BP_SLOTS; ++slot)
   {
     LatticeShape lattice;
     lattice.low = bpSightLow[slot];
@@ -64,7 +64,7 @@ void bpFindLightSights(vec3 positionView, vec3 normalView)
 float bpLightSeen(int light)
 {
   float seen = bpUnsighted;
-  for (int slot = 0; slot < BP_EACH_SLOT; ++slot)
+  for (int slot = 0; slot < BP_SLOTS; ++slot)
   {
     float share = mix(bpShareOf[slot], slot == 0 ? 1.0f : 0.0f, bpSightWhole);
     seen += share * bpSeen(slot, bpSightChannel[light][slot]);

@@ -12,7 +12,7 @@ float bpSunShadow@LIGHT@(vec3 positionView, vec3 normalView)
   if (any(lessThan(at, vec3(0.0f))) || any(greaterThan(at.xy, vec2(1.0f)))) { return 1.0f; }
   at.z = min(at.z, 1.0f);
   float sum = 0.0f;
-  for (int i = 0; i < KEPT_LOOP(9); ++i)
+  for (int i = 0; i < 9; ++i)
   {
     sum += textureLod(bpSunMap@LIGHT@, at + vec3(vec2(i % 3 - 1, i / 3 - 1) * bpSunTaps@LIGHT@.xy, 0.0f), 0.0f);
   }

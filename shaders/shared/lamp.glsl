@@ -6,6 +6,17 @@
 //
 // Total: for finite input the result is finite.
 
+const float kLampPerTurn = 0.15915494f;  // 1 / (2 pi)
+
+// Of the edge between two points, first as a unit vector and the second by its offset, in lengths of the first: the angle between them
+// times the unit normal of their plane. By the offset, because the cross product of nearly equal vectors cancels.
+vec3 lampEdge(vec3 first, vec3 offset)
+{
+  vec3 c = cross(first, offset);
+  float sine = length(c);
+  return sine > 1.0e-18f ? atan(sine, 1.0f + dot(first, offset)) / sine * c : vec3(0.0f);
+}
+
 // On which side of the lamp a position lies: 1 on the shining one, -1 behind a lamp that shines both ways, else 0. A position in the
 // lamp's plane sees none of it; the least height, 1e-5 of the lamp's size, is above rounding.
 float lampSide(LAMP_SLOT lamp, vec3 position)
@@ -94,12 +105,8 @@ float lampDiffuse(LAMP_SLOT lamp, vec3 position, vec3 normal)
     i += 4;
   } while (i < count);
   // The arc that closes it along the horizon, less than half a turn, in the direction of the others.
-  vec3 leaves = way.leaves / max(length(way.leaves), 1.0e-18f);
-  vec3 enters = way.enters / max(length(way.enters), 1.0e-18f);
-  float cosine = -dot(leaves, enters);
-  float acute = lampTurnOverSine(abs(cosine)) * abs(dot(normal, cross(leaves, enters)));
-  float closing = cosine > 0.0f ? acute : 0.5f - acute;
+  float closing = abs(atan(dot(normal, cross(way.leaves, way.enters)), -dot(way.leaves, way.enters)));
   bool cut = dot(way.leaves, way.leaves) > 0.0f && dot(way.enters, way.enters) > 0.0f;
   float side = lampSide(lamp, position);
-  return side == 0.0f ? 0.0f : clamp((cut ? closing : 0.0f) - side * way.sum, 0.0f, 1.0f);
+  return side == 0.0f ? 0.0f : clamp((cut ? kLampPerTurn * closing : 0.0f) - side * way.sum, 0.0f, 1.0f);
 }

@@ -1,8 +1,7 @@
 // Glossy light of a lamp, without samples and without tables: the polygon's image among the visible normals. With h = normalize(V + L),
 // f cos(L) dL = VNDF(h) G2 / G1 dh exactly, and where the surface is stretched to roughness 1 the visible normals of GGX are a cosine about
 // the stretched view (Heitz 2018). So the lamp's share of the lobe is the form factor of its image, great arcs taken for the image of its
-// edges once these are split where they pass the mirrored view. Needs lamp.glsl and lobe_frame.glsl; the host
-// supplies KEPT_LOOP(turns), the bound of a loop that compilers are to keep as one. Total, as lamp.glsl is.
+// edges once these are split where they pass the mirrored view. Needs lamp.glsl and lobe_frame.glsl. Total, as lamp.glsl is.
 
 // `view`: unit, towards the eye. A view from below the surface counts as one along it.
 LampLobe lampLobe(vec3 normal, vec3 view, float roughness)
@@ -69,7 +68,7 @@ LampImage lampImageStep(LampLobe lobe, LampImage image, vec3 l)
   LampFacet next = lampFacetOfLight(lobe, l);
   vec3 edge = next.normal - image.last.normal;
   vec3 toPole = image.pole.normal - image.last.normal;
-  image.factor += lampTurnOverSine(dot(image.last.normal, next.normal)) * cross(image.last.normal, edge);
+  image.factor += lampEdge(image.last.normal, edge);
   vec3 sum = image.last.normal + next.normal + image.pole.normal;
   LampFacet middle = lampFacet(lobe, sum / max(length(sum), 1.0e-18f));
   float area = abs(dot(cross(edge, toPole), middle.normal));
@@ -101,15 +100,10 @@ LampImage lampImageEdge(LampLobe lobe, LampImage image, vec3 from, vec3 to)
   bool firstLonger = dot(start, split) < dot(split, end);
   vec3 middle = split + (firstLonger ? start : end);
   middle = middle / max(length(middle), 1.0e-30f);
-  vec3 second = firstLonger ? split : middle;
-  vec3 next = firstLonger ? middle : split;
   image.last = lampFacetOfLight(lobe, start);
-  for (int piece = 0; piece < KEPT_LOOP(3); ++piece)
-  {
-    image = lampImageStep(lobe, image, next);
-    next = piece == 0 ? second : end;
-  }
-  return image;
+  image = lampImageStep(lobe, image, firstLonger ? middle : split);
+  image = lampImageStep(lobe, image, firstLonger ? split : middle);
+  return lampImageStep(lobe, image, end);
 }
 
 // A corner in the lobe's frame.
@@ -166,7 +160,7 @@ vec2 lampGlossy(LAMP_SLOT lamp, vec3 position, LampLobe lobe)
   }
   float along = dot(image.factor, lobe.stretched);
   float size = length(image.factor);
-  float share = min(2.0f * abs(along) / (1.0f + lobe.stretched.z), 1.0f);
+  float share = min(2.0f * kLampPerTurn * abs(along) / (1.0f + lobe.stretched.z), 1.0f);
   vec2 weight = lampFacet(lobe, (along < 0.0f ? -1.0f : 1.0f) / max(size, 1.0e-20f) * image.factor).weight;
   if (image.light > 1.0e-30f) { weight = mix(weight, image.weight / image.light, lobe.spread); }
   return size > 1.0e-20f ? share * weight : vec2(0.0f);

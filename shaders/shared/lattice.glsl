@@ -1,10 +1,9 @@
 // Diffuse light from a lattice of nodes in a probe's box: nine spherical-harmonic coefficients at each (sh.glsl), blended along three
 // axes. A node is seven texels, 28 numbers: the coefficients in order, three colours each, and 1 if the light is the
 // node's own, 0 if it lies within something and has that of its neighbours. Where surfaces stand between nodes, three texels more tell of the
-// ways from a node to the next along x, y and z: how much of each is cut (0 to 1), and, times that, where what cuts it begins and ends
-// (0 at the node, 1 at the next). Needs lattice_types.glsl and sh.glsl; the host supplies
+// ways from a node to the next, one each along x, y and z: how much of it is cut (0 to 1), and, times that, where what cuts it begins and
+// ends (0 at the node, 1 at the next). Needs lattice_types.glsl and sh.glsl; the host supplies
 //   vec4 fetchLattice(LATTICE_SLOT slot, vec3 place, int part)   texel `part` of a node, linear in the place between nodes
-//   KEPT_LOOP(turns)                                            the bound of a loop that compilers are to keep as one
 
 // Where a position lies among the nodes, 0 to `last` along each axis. Beyond the outermost nodes theirs counts.
 vec3 latticePlace(LatticeShape lattice, vec3 position)
@@ -24,17 +23,17 @@ float latticeStep(float t, float lean, float cut, float begins, float ends)
 }
 
 // Where the light of a surface that faces `facing` is looked up: as near to each node as its share of the light shall be. Axis by
-// axis, since each fetch of the ways along one of them has them as they are between the nodes chosen so far.
+// axis, since the fetch of the ways along one of them has them as they are between the nodes chosen so far.
 vec3 latticeSeen(LatticeShape lattice, vec3 place, vec3 facing)
 {
   vec3 first = min(floor(place), lattice.last - vec3(1.0f));
   vec3 seen = place;
-  for (int axis = 0; axis < KEPT_LOOP(3); ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
     vec3 at = seen;
     at[axis] = first[axis];
-    seen[axis] = first[axis] + latticeStep(place[axis] - first[axis], 0.06f * facing[axis], fetchLattice(lattice.slot, at, 7)[axis],
-                                           fetchLattice(lattice.slot, at, 8)[axis], fetchLattice(lattice.slot, at, 9)[axis]);
+    vec4 way = fetchLattice(lattice.slot, at, 7 + axis);
+    seen[axis] = first[axis] + latticeStep(place[axis] - first[axis], 0.06f * facing[axis], way.x, way.y, way.z);
   }
   return seen;
 }
@@ -44,19 +43,15 @@ vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 facing, vec3 n)
 {
   vec3 place = latticePlace(lattice, position);
   if (lattice.cut > 0.0f) { place = latticeSeen(lattice, place, facing); }
-  // shIrradiance, by threes of texels: four coefficients each.
-  vec4 basis = vec4(1.0f, n.y, n.z, n.x);
-  vec3 e = vec3(0.0f);
-  for (int part = 0; part < KEPT_LOOP(6); part += 3)
-  {
-    vec4 a = fetchLattice(lattice.slot, place, part);
-    vec4 b = fetchLattice(lattice.slot, place, part + 1);
-    vec4 c = fetchLattice(lattice.slot, place, part + 2);
-    e += basis.x * vec3(a.x, a.y, a.z) + basis.y * vec3(a.w, b.x, b.y) + basis.z * vec3(b.z, b.w, c.x) + basis.w * vec3(c.y, c.z, c.w);
-    basis = vec4(n.x * n.y, n.y * n.z, 3.0f * n.z * n.z - 1.0f, n.x * n.z);
-  }
-  vec4 last = fetchLattice(lattice.slot, place, 6);
-  return max(e + (n.x * n.x - n.y * n.y) * vec3(last.x, last.y, last.z), vec3(0.0f));
+  vec4 a = fetchLattice(lattice.slot, place, 0);
+  vec4 b = fetchLattice(lattice.slot, place, 1);
+  vec4 c = fetchLattice(lattice.slot, place, 2);
+  vec4 d = fetchLattice(lattice.slot, place, 3);
+  vec4 e = fetchLattice(lattice.slot, place, 4);
+  vec4 f = fetchLattice(lattice.slot, place, 5);
+  vec4 g = fetchLattice(lattice.slot, place, 6);
+  return shIrradiance(n, vec3(a.x, a.y, a.z), vec3(a.w, b.x, b.y), vec3(b.z, b.w, c.x), vec3(c.y, c.z, c.w), vec3(d.x, d.y, d.z),
+                      vec3(d.w, e.x, e.y), vec3(e.z, e.w, f.x), vec3(f.y, f.z, f.w), vec3(g.x, g.y, g.z));
 }
 
 // The weight of the nodes around `position`, probe frame, seen from there or not, whose light is their own.

@@ -21,7 +21,6 @@ using glm::vec4;
 constexpr std::size_t kLampCount = 32768;
 
 constexpr const char* kLamp =
-    "#define KEPT_LOOP(turns) (turns)\n"
     "vec3 gCorners[4];\n"
     "int lampCornerCount(int lamp) { return 4; }\n"
     "vec3 lampCorner(int lamp, int i) { return gCorners[i]; }\n"
@@ -151,16 +150,15 @@ TEST(LampParity, ExtremeLampsGiveAShareOfTheirLight) {
 struct Ramp : shading::LatticeSampler {
   glm::vec4 fetchLattice(const vec3& place, int part) const override {
     const auto p = static_cast<float>(part);
-    if (part == 7) return vec4(0.8f, 0.6f + 0.02f * place.x, 0.9f, 0.0f);
-    if (part > 7) return (p - 7.5f) * vec4(0.3f, 0.25f, 0.4f - 0.01f * place.z, 0.0f);
+    const float cut = 0.9f - 0.15f * (p - 7.0f);
+    if (part >= 7) return cut * vec4(1.0f, 0.3f + 0.02f * place.x, 0.6f - 0.01f * place.z, 0.0f);
     return vec4(0.3f + 0.1f * place.x, 0.2f - 0.05f * place.y * p, 0.01f * place.z + 0.02f * p, 0.1f * p);
   }
 };
 constexpr const char* kRamp =
-    "#define KEPT_LOOP(turns) (turns)\n"
     "vec4 fetchLattice(int slot, vec3 place, int part)\n{\n  float p = float(part);\n"
-    "  if (part == 7) { return vec4(0.8, 0.6 + 0.02 * place.x, 0.9, 0.0); }\n"
-    "  if (part > 7) { return (p - 7.5) * vec4(0.3, 0.25, 0.4 - 0.01 * place.z, 0.0); }\n"
+    "  float cut = 0.9 - 0.15 * (p - 7.0);\n"
+    "  if (part >= 7) { return cut * vec4(1.0, 0.3 + 0.02 * place.x, 0.6 - 0.01 * place.z, 0.0); }\n"
     "  return vec4(0.3 + 0.1 * place.x, 0.2 - 0.05 * place.y * p, 0.01 * place.z + 0.02 * p, 0.1 * p);\n}\n";
 
 TEST(LampParity, LatticesShineTheSame) {

@@ -277,9 +277,7 @@ void cutWays(DiffuseLattice& lattice, const std::vector<char>& known, const Latt
                  turned((axis + 1) % 3, 0.07), turned((axis + 2) % 3, 0.07), known[node] != 0, known[next] != 0);
       if (way.cut <= 0.0f) continue;
       ++found;
-      cuts[node][axis] = way.cut;
-      cuts[count + node][axis] = way.begins;
-      cuts[2 * count + node][axis] = way.ends;
+      cuts[static_cast<std::size_t>(axis) * count + node] = glm::vec4(way.cut, way.begins, way.ends, 0.0f);
     }
   });
   lattice.cutWays = found;

@@ -21,13 +21,11 @@ static vec4 fetchLattice(const LatticeSampler* lattice, vec3 place, int part) {
   return lattice->fetchLattice(place, part);
 }
 
-#define KEPT_LOOP(turns) (turns)
 #define LAMP_SLOT const LampPolygon*
 #include "shaders/shared/lamp.glsl"
 #include "shaders/shared/lamp_fade.glsl"
 #include "shaders/shared/lamp_lobe.glsl"  // after lamp.glsl, which it uses
 #undef LAMP_SLOT
 #include "shaders/shared/lattice.glsl"
-#undef KEPT_LOOP
 
 }  // namespace boxprobe::shading

@@ -157,9 +157,6 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   replaceOnce(lighting, "//BP::Lattice",
               (lattice || sights ? joinShaderSources({"shared/lattice_types.glsl"}) : std::string()) +
                   (lattice ? joinShaderSources({"gpu/fetch_lattice.glsl", "shared/lattice.glsl"}) : std::string()));
-  replaceOnce(
-      lighting, "//BP::Diffuse",
-      binding.diffuse && !binding.probes.empty() ? joinShaderSources({"gpu/diffuse_light.glsl"}) : std::string());
   replaceOnce(lighting, "//BP::LampFree",
               binding.lampLobes ? joinShaderSources({"shared/lobe_frame.glsl", "shared/lamp_types.glsl",
                                                      "shared/lamp_fade.glsl", "gpu/lamp_free.glsl"})
