@@ -65,20 +65,31 @@ TruthRow TruthStage::techniqueRow(const TruthPicture& picture, const BenchTechni
 }
 
 TruthRow TruthStage::refinedRow(const TruthPicture& picture, const BenchTechnique& technique, int rays, double* left) {
-  constexpr int kFineness = 2;
+  // A mirror's picture is as sharp as its pixels.
+  const bool mirror = picture.roughness == 0.0;
+  const int fineness = mirror ? kTruthFineness : 2, samples = mirror ? 4 : 1;
   const Camera& from = camera(picture.camera);
   shown_.show(withTechnique(scene_, technique), models_, {from});
   SceneRenderer& renderer = shown_.renderer();
+  if (rays <= 0) {
+    captureShown();
+    const ImageRgbaF own = renderer.renderLinear(fineness * index_.width, fineness * index_.height, samples);
+    shown_.requireHealthy();
+    return compareWithTruth(index_, picture, from, technique.label(), boxAveraged(own, fineness));
+  }
   RefineSettings settings;
   settings.rays = rays;
   renderer.refine(settings);
   captureShown();
-  const ImageRgbaF fine = renderer.renderRefined(kFineness * index_.width, kFineness * index_.height, 1, settings);
+  renderer.sharpenMirrors(fineness * index_.height);
+  captureShown();
+  const ImageRgbaF fine = renderer.renderRefined(fineness * index_.width, fineness * index_.height, samples, settings);
   if (left != nullptr) *left = renderer.refineState().left;
   renderer.refine({});
+  renderer.sharpenMirrors(0);
   shown_.requireHealthy();
   return compareWithTruth(index_, picture, from, technique.label() + " refined " + std::to_string(rays),
-                          boxAveraged(fine, kFineness));
+                          boxAveraged(fine, fineness));
 }
 
 void TruthStage::captureShown() {

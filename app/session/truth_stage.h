@@ -34,7 +34,7 @@ class TruthStage {
   /// Captured as the scene has it.
   TruthRow techniqueRow(const TruthPicture& picture, const BenchTechnique& technique);
   /// The same refined at rest by `rays` a pixel, and what is estimated to be left after them; four samples a pixel of
-  /// the truth.
+  /// the truth, of a mirror 100. Of 0 rays: the technique's own frame, as fine.
   TruthRow refinedRow(const TruthPicture& picture, const BenchTechnique& technique, int rays, double* left = nullptr);
 
   const ReferenceScene& reference() const { return *reference_; }

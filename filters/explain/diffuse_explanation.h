@@ -27,6 +27,7 @@ struct DiffuseExplanation {
   std::vector<LampAtPoint> lamps;         ///< those that give light here, the brightest first
   std::vector<LatticeNodeAtPoint> nodes;  ///< those with weight, the heaviest first; none: the capture's coefficients
   glm::ivec3 nodeCount{0};                ///< of the lattice along each axis
+  int cutWays = 0;                        ///< of the lattice: from a node to the next, with surfaces between
   glm::vec3 lattice{0.0f};                ///< irradiance over pi from the lattice
   float known = 0.0f;                     ///< weight of the nodes whose light is their own, 0 to 1
 };

@@ -61,14 +61,17 @@ void explainOpening(ProbeExplanation& e, const RecordedLookups& record, const sh
 }
 
 DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& positionProbe,
-                                  const glm::vec3& positionFromEye, const SurfacePoint& s) {
+                                  const glm::vec3& facingProbe, const glm::vec3& positionFromEye,
+                                  const SurfacePoint& s) {
   DiffuseExplanation e;
   const DiffuseLattice& lattice = *probe.lattice;
   const shading::LatticeShape shape = lattice.shape();
-  e.lattice = shading::latticeIrradiance(shape, positionProbe, s.normalWorld);
+  e.lattice = shading::latticeIrradiance(shape, positionProbe, facingProbe, s.normalWorld);
   e.known = shading::latticeKnown(shape, positionProbe);
   e.nodeCount = lattice.nodes;
-  const glm::vec3 place = shading::latticePlace(shape, positionProbe);
+  glm::vec3 place = shading::latticePlace(shape, positionProbe);
+  if (shape.cut > 0.0f) place = shading::latticeSeen(shape, place, facingProbe);
+  e.cutWays = lattice.cutWays;
   const glm::vec3 first = glm::min(glm::floor(place), shape.last - 1.0f), share = place - first;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::vec3 step(static_cast<float>(corner & 1), static_cast<float>(corner >> 1 & 1),
@@ -206,7 +209,7 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     }
   }
   if (probe.lattice) {
-    e.diffuse = explainDiffuse(probe, e.positionProbe, position, s);
+    e.diffuse = explainDiffuse(probe, e.positionProbe, turned(s.normalWorld), position, s);
     e.irradiance = e.diffuse.lattice;
     for (const LampAtPoint& lamp : e.diffuse.lamps) e.irradiance += lamp.light;
     return e;

@@ -104,6 +104,8 @@ struct Explanation {
   glm::vec3 emissive{0.0f};
   /// Over pi, of probes, lamps and sky around the normal; empty: the material is all metal, or unlit.
   std::optional<glm::vec3> irradiance;
+  /// The same by a path tracer, its squared standard error in w; empty: not traced.
+  std::optional<glm::vec4> tracedIrradiance;
   glm::vec3 diffuse{0.0f};         ///< of probes and sky, with albedo
   glm::vec3 sheen{0.0f};           ///< of sheen, from the same irradiance; 0 without sheen
   glm::vec3 specularFactor{0.0f};  ///< of light from probes and sky: split sum, occlusion, the coat's transmittance

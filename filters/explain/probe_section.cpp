@@ -146,7 +146,9 @@ void addDiffuse(const DiffuseExplanation& d, std::vector<ExplanationRow>& rows) 
   }
   rows.push_back(light("E_lattice", d.lattice,
                        "everything else, from a lattice of " + std::to_string(d.nodeCount.x) + " x " +
-                           std::to_string(d.nodeCount.y) + " x " + std::to_string(d.nodeCount.z) + " nodes: " + nodes));
+                           std::to_string(d.nodeCount.y) + " x " + std::to_string(d.nodeCount.z) + " nodes" +
+                           (d.cutWays > 0 ? " (" + std::to_string(d.cutWays) + " ways between them cut)" : "") + ": " +
+                           nodes));
 }
 
 void addLookups(const Explanation& e, const ProbeExplanation& p, const ExplanationDetail& detail,

@@ -1,5 +1,6 @@
 #include "filters/explain/surface_value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -11,6 +12,8 @@ namespace boxprobe {
 namespace {
 
 using Value = std::optional<glm::vec3>;
+
+constexpr float kDarkest = 1e-20f, kLargestError = 1e4f;  // of relative errors: where there is no light
 
 const ProbeExplanation* dominant(const Explanation& e) {
   return e.hit && e.dominant >= 0 ? &e.probes[static_cast<std::size_t>(e.dominant)] : nullptr;
@@ -104,6 +107,15 @@ Value nodeValidity(const Explanation& e) {
   return share > 0.0f ? scalar(known / share) : std::nullopt;
 }
 
+// What noise alone explains is no error.
+Value diffuseError(const Explanation& e) {
+  if (!e.hit || !e.irradiance || !e.tracedIrradiance) return std::nullopt;
+  const glm::vec3 traced(*e.tracedIrradiance);
+  const glm::vec3 off = *e.irradiance - traced;
+  const float squares = std::max(glm::dot(off, off) - e.tracedIrradiance->w, 0.0f);
+  return scalar(std::min(std::sqrt(squares / std::max(glm::dot(traced, traced), kDarkest)), kLargestError));
+}
+
 struct ViewValue {
   std::string_view id;
   Value (*value)(const Explanation&);
@@ -123,6 +135,7 @@ constexpr ViewValue kValues[] = {
     {"lookups", lookups},
     {"diffuse-light", diffuseLight},
     {"node-validity", nodeValidity},
+    {"diffuse-error", diffuseError},
 };
 
 }  // namespace

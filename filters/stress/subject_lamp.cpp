@@ -180,7 +180,7 @@ Trial tryLattice(const StressInput& input, const StressClass& c, TrialLog* log) 
   const LocalInput in = localInput(input);
   const DiffuseLattice lattice = latticeOf(input, in);
   const shading::LatticeShape shape = lattice.shape();
-  const glm::vec3 light = shading::latticeIrradiance(shape, in.point.position, in.point.normal);
+  const glm::vec3 light = shading::latticeIrradiance(shape, in.point.position, in.point.normal, in.point.normal);
   Trial trial;
   trial.require(finite(light));
   exact::Vec places{};

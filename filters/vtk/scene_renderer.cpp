@@ -4,16 +4,19 @@
 #include <vtkOpenGLRenderWindow.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "filters/core/base/scope_exit.h"
 #include "filters/core/geometry/probe_diffuse.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/gl/software_driver.h"
+#include "filters/vtk/gl/texture_memory.h"
 #include "filters/vtk/gl/window_pixels.h"
 #include "filters/vtk/inspect/frame_recorder.h"
 #include "filters/vtk/inspect/render_remarks.h"
 #include "filters/vtk/maps/cube_transfer.h"
+#include "filters/vtk/probes/mirror_texels.h"
 #include "filters/vtk/scene_renderer_parts.h"
 
 namespace boxprobe {
@@ -72,6 +75,10 @@ void SceneRenderer::setView(const SurfaceViewSettings& settings) {
   impl_->applyView();
 }
 
+void SceneRenderer::setDiffuseTruth(ImageRgbaF light) {
+  impl_->view.setTruth(std::move(light));
+}
+
 const SurfaceViewSettings& SceneRenderer::view() const {
   return impl_->view.settings();
 }
@@ -85,7 +92,9 @@ Explanation SceneRenderer::explain(int x, int y, int width, int height) {
 }
 
 std::vector<Explanation> SceneRenderer::explain(const std::vector<glm::ivec2>& pixels, int width, int height) {
-  return impl_->explain(pixels, width, height);
+  std::vector<Explanation> explained = impl_->explain(pixels, width, height);
+  for (Explanation& e : explained) e.tracedIrradiance = impl_->view.truthAt(e.x, e.y, width, height);
+  return explained;
 }
 
 void SceneRenderer::setInteractive(bool interactive) {
@@ -232,6 +241,13 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
 void SceneRenderer::refine(const RefineSettings& settings) {
   impl_->makeCurrent();
   impl_->refine(settings);
+}
+
+void SceneRenderer::sharpenMirrors(int rows) {
+  impl_->makeCurrent();
+  impl_->probes.setSharp(
+      rows > 0 ? mirrorFaceSizes(impl_->content, impl_->renderer->GetActiveCamera(), rows, textureMemoryLimit() / 4)
+               : std::map<std::string, int>());
 }
 
 const RefineSettings& SceneRenderer::refineSettings() const {

@@ -159,10 +159,19 @@ class BOXPROBE_EXPORT SceneRenderer {
   ImageRgbaF renderRefined(int width, int height, int samplesPerPixel, const RefineSettings& settings,
                            const std::function<void(int)>& beforeFrame = {});
 
+  /// Has the probes that mirrors show captured with more texels, until one is a pixel of a picture of so many
+  /// `rows` by the current camera: at most four times the scene's faceSize a side, 1024 texels, and a quarter of
+  /// the memory for textures. Planned after all other work; to be called when that is done. 0: maps of the scene's size
+  /// are shown again.
+  void sharpenMirrors(int rows);
+
   /// Sets what the surfaces are coloured by: a row of surfaceViews(). Row 0, the picture, costs nothing; others compile
   /// further programs when first drawn.
   void setView(const SurfaceViewSettings& settings);
   const SurfaceViewSettings& view() const;
+  /// What the view `diffuse-error` compares with: diffuse light by a path tracer for the current camera, as
+  /// diffuseTruthImage() makes it, of the picture's shape in any number of pixels. Empty: not traced.
+  void setDiffuseTruth(ImageRgbaF light);
   /// The range of the current view; the scene's own unless a range is set.
   std::pair<double, double> viewRange() const;
 

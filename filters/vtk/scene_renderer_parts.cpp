@@ -77,6 +77,7 @@ void SceneParts::makeCurrent() {
 
 void SceneParts::prepareDraws() {
   makeStaticTextures(window, state->resources, state->counts);
+  view.upload(window, state->resources);
   suns.update();
   shadows.update();
   content.resetClippingRange(renderer);
@@ -93,7 +94,6 @@ void SceneParts::drawMirrors(double aspect, int width, int height, int samples) 
 
 void SceneParts::beginFrame() {
   prepareDraws();
-  view.upload(window, state->resources);
   if (content.scene.background == Background::Blurred && state->resources.sky) {
     state->resources.sky->need(LevelMask{1} << vtkSkyProp::BlurredLevel(*state->resources.sky));
   }

@@ -1,10 +1,11 @@
-// Lattices of the draw's probes (shared/lattice.glsl), all in one texture: a node's seven texels lie one lattice's depth apart.
+// Lattices of the draw's probes (shared/lattice.glsl), all in one texture: a node's texels lie one lattice's depth apart.
 uniform sampler3D bpLattices;
 uniform vec3 bpLatticeTexel;                // 1 / size of the texture
 uniform vec3 bpLatticeAt[BP_SLOTS];         // first texel
 uniform vec3 bpLatticeLow[BP_SLOTS];
 uniform vec3 bpLatticePerUnit[BP_SLOTS];
 uniform vec3 bpLatticeLast[BP_SLOTS];       // 0: the probe has no lattice
+uniform float bpLatticeCut[BP_SLOTS];
 
 vec4 fetchLattice(int slot, vec3 place, int part)
 {
@@ -19,6 +20,7 @@ LatticeShape bpLatticeShape(int slot)
   lattice.low = bpLatticeLow[slot];
   lattice.perUnit = bpLatticePerUnit[slot];
   lattice.last = bpLatticeLast[slot];
+  lattice.cut = bpLatticeCut[slot];
   lattice.slot = slot;
   return lattice;
 }

@@ -55,7 +55,11 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
 #if BP_LATTICE
   if (bpLatticeLast[@SLOT@].x > 0.0f)
   {
-    light.irradiance += weight * latticeIrradiance(bpLatticeShape(@SLOT@), point.position, BP_FACING);
+    vec3 facing = BP_FACING;
+#if BP_ROTATED
+    facing = probeFromWorld * facing;
+#endif
+    light.irradiance += weight * latticeIrradiance(bpLatticeShape(@SLOT@), point.position, facing, BP_FACING);
 #if BP_DEBUG
     float nodes = bpCoat ? 0.0f : weight / max(bpIntensity[@SLOT@], 1.0e-30f);
     bpNodeShare += nodes;

@@ -24,6 +24,7 @@ void bpFindSights(vec3 position, vec3 normal)
     lattice.low = bpSightLow[slot];
     lattice.perUnit = bpSightPerUnit[slot];
     lattice.last = bpSightLast[slot];
+    lattice.cut = 0.0f;
     lattice.slot = slot;
     vec3 from = position - bpOrigin[slot];
     vec3 n = normal;

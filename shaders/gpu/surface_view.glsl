@@ -1,14 +1,31 @@
 // The debug view's output: the value of the chosen row of filters/core/scene/surface_view.cpp, as a colour on the
 // screen, as a number in linear pictures. Spliced in for the debug view only.
 uniform vec2 bpViewRange;      // of scalars
-uniform sampler2D bpViewColors; // colour map, 256 x 1
+// The lowest row: the colour map, 256 texels. Above it traced diffuse light, if there is any, from the picture's lowest
+// row on; alpha: squared standard error, negative: not traced. Alpha of the first texel: that picture's width.
+uniform sampler2D bpViewColors;
 uniform vec3 bpFaceColors[6];
 uniform int bpFinishShown;  // 1: the surface's finish instead of the common properties
+uniform vec2 bpPerPixel;       // 1 over the picture's size
 uniform float bpObject;        // index of the object + 1, for picking
 
 const vec3 kUndefined = vec3(-1.0f);
 
 #if BP_LIT
+// What noise alone explains is no error.
+vec3 bpDiffuseError()
+{
+  int rows = textureSize(bpViewColors, 0).y - 1;
+  if (rows == 0 || bpDiffuseLight.x < 0.0f) { return kUndefined; }
+  vec2 size = vec2(texelFetch(bpViewColors, ivec2(0, 0), 0).a, float(rows));
+  ivec2 at = ivec2(clamp(gl_FragCoord.xy * bpPerPixel * size, vec2(0.0f), size - 1.0f));
+  vec4 truth = texelFetch(bpViewColors, at + ivec2(0, 1), 0);
+  if (truth.a < 0.0f) { return kUndefined; }
+  vec3 off = bpDiffuseLight - truth.rgb;
+  float squares = max(dot(off, off) - truth.a, 0.0f);
+  return vec3(min(sqrt(squares / max(dot(truth.rgb, truth.rgb), 1.0e-20f)), 1.0e4f));
+}
+
 vec3 bpViewValue()
 {
   bool traced = bpBest.share > 0.0f;
@@ -34,6 +51,7 @@ vec3 bpViewValue()
   if (bpView == 9) { return traced ? vec3(float(bpBest.hit.face)) : kUndefined; }
   if (bpView == 11) { return bpDiffuseLight; }
   if (bpView == 12) { return bpNodeShare > 0.0f ? vec3(bpNodeKnown / bpNodeShare) : kUndefined; }
+  if (bpView == 13) { return bpDiffuseError(); }
   return vec3(bpLookups);
 }
 #else
@@ -59,5 +77,7 @@ vec3 bpViewColor(vec3 color)
   if (bpView == 7 || bpView == 8) { return value; }
   if (bpView == 11) { return bpOutput(value); }
   float x = clamp((value.x - bpViewRange.x) / max(bpViewRange.y - bpViewRange.x, 1.0e-30f), 0.0f, 1.0f);
-  return texture(bpViewColors, vec2((x * 255.0f + 0.5f) / 256.0f, 0.5f)).rgb;
+  int below = min(int(x * 255.0f), 254);
+  return mix(texelFetch(bpViewColors, ivec2(below, 0), 0).rgb, texelFetch(bpViewColors, ivec2(below + 1, 0), 0).rgb,
+             x * 255.0f - float(below));
 }

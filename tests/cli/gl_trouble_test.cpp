@@ -62,6 +62,7 @@ TEST_F(GlTrouble, MapsThatDoNotFitAreRefusedWithTheFigureBeforeTheyAreAllocated)
 TEST_F(GlTrouble, ASceneRendererWithoutMemoryDrawsOnAndRecoversWithSmallerFaces) {
   const Setting limit("BOXPROBE_TEXTURE_MEMORY", "1");
   ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.probes[0].bounces = 1;
   picture.scene.probes[0].faceSize = 256;
   EXPECT_THROW(picture.show(cameraNamed(picture.scene, "main")), std::runtime_error);
   EXPECT_THAT(picture.renderer->error(), HasSubstr("of texture memory, and there are 1.0 MB"));

@@ -1,5 +1,6 @@
-// The debug views of diffuse light: the light itself against the picture of a matte room, and which nodes of the
-// lattice have light of their own, against nodes and weights worked out here.
+// The debug views of diffuse light: the light itself against the picture of a matte room, its error against what is
+// given as truth and against paths, and which nodes of the lattice have light of their own, against nodes and weights
+// worked out here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "filters/core/scene/surface_view.h"
 #include "filters/explain/surface_value.h"
 #include "filters/fit/rays/triangle_sight.h"
+#include "filters/reference/path/reference_path.h"
 #include "tests/image/quad_world.h"
 #include "tests/support/scene_picture.h"
 
@@ -107,7 +109,6 @@ struct DiffuseView : testing::Test {
     camera.target = {0.9, 0.6, -0.9};
     camera.verticalFovDegrees = 62.0;
     world.renderer->applyCamera(camera);
-    std::vector<glm::ivec2> pixels;
     for (int i = 0; i < 400; ++i) pixels.emplace_back((i * 37) % kWidth, (i * 23) % kHeight);
     explained = world.renderer->explain(pixels, kWidth, kHeight);
   }
@@ -121,6 +122,7 @@ struct DiffuseView : testing::Test {
     return {p[0], p[1], p[2]};
   }
   QuadWorld world;
+  std::vector<glm::ivec2> pixels;
   std::vector<Explanation> explained;
 };
 
@@ -163,6 +165,78 @@ TEST_F(DiffuseView, ValidityIsTheWeightOfNodesOutsideOfTheBlock) {
   EXPECT_GT(whole, 50);
   EXPECT_GT(none, 5);
   EXPECT_GT(between, 20);
+}
+
+TEST_F(DiffuseView, ErrorIsTheDistanceFromTheGivenLightWithoutItsNoise) {
+  const ImageRgbaF light = shown("diffuse-light");
+  const SurfaceViewRow& row = surfaceViews()[static_cast<std::size_t>(findSurfaceView("diffuse-error").value())];
+  ImageRgbaF truth = light;
+  std::vector<double> expected(truth.pixels.size() / 4, -1.0);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    float* p = &truth.pixels[4 * i];
+    const dvec3 drawn(p[0], p[1], p[2]);
+    const auto n = static_cast<int>(i);
+    const dvec3 given = glm::max(drawn, 0.0) * (0.9 + 0.03 * (n % 7)) + dvec3(0.02 * (n % 3), 0.0, 0.01 * (n % 5));
+    const double noise = n % 11 == 4 ? -1.0 : 2.0e-4 * (n % 4);
+    for (int c = 0; c < 3; ++c) p[c] = static_cast<float>(given[c]);
+    p[3] = static_cast<float>(noise);
+    if (noise < 0.0 || drawn.x < 0.0 || glm::length(given) == 0.0) continue;
+    const double off = glm::length(drawn - given);
+    expected[i] = std::sqrt(std::max(off * off - noise, 0.0)) / glm::length(given);
+  }
+  world.renderer->setDiffuseTruth(truth);
+  const ImageRgbaF error = shown("diffuse-error");
+  int known = 0, unknown = 0, none = 0;
+  for (const Explanation& e : world.renderer->explain(pixels, kWidth, kHeight)) {
+    if (!e.hit) continue;
+    const double value = static_cast<double>(at(error, e).x);
+    const double wanted = expected[static_cast<std::size_t>(e.y * kWidth + e.x)];
+    EXPECT_NEAR(value, wanted, 2.0e-3) << e.surface.object << " " << e.x << " " << e.y;
+    const auto explainedValue = surfaceValue(row, e);
+    ASSERT_EQ(explainedValue.has_value(), wanted >= 0.0);
+    if (explainedValue) {
+      EXPECT_NEAR(static_cast<double>(explainedValue->x), wanted, 4.0e-3);
+    }
+    ++(wanted > 0.0 ? known : wanted < 0.0 ? unknown : none);
+  }
+  std::printf("  errors at %d places, nothing given at %d, noise alone at %d\n", known, unknown, none);
+  EXPECT_GT(known, 200);
+  EXPECT_GT(unknown, 15);
+  world.renderer->setDiffuseTruth({});
+  const ImageRgbaF untraced = shown("diffuse-error");
+  for (const Explanation& e : explained) {
+    if (e.hit) {
+      EXPECT_EQ(at(untraced, e), vec3(-1.0f));
+    }
+  }
+}
+
+double medianError(const ImageRgbaF& error) {
+  std::vector<float> known;
+  for (std::size_t i = 0; i < error.pixels.size(); i += 4) {
+    if (error.pixels[i] >= 0.0f) known.push_back(error.pixels[i]);
+  }
+  EXPECT_GT(known.size(), error.pixels.size() / 8);
+  std::nth_element(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2), known.end());
+  return static_cast<double>(known[known.size() / 2]);
+}
+
+// Nine coefficients for all of the room are what the view was made to see through.
+TEST_F(DiffuseView, AgainstPathsShapesAreNearAndCoefficientsAreNot) {
+  PathSettings settings;
+  settings.width = kWidth;
+  settings.height = kHeight;
+  settings.raysPerPixel = 256;
+  settings.bounces = 1;  // as the probe has
+  settings.quantity = PathQuantity::DiffuseLight;
+  const ReferencePath path(world.scene, {std::make_shared<const Model>(room())}, nullptr);
+  world.renderer->setDiffuseTruth(diffuseTruthImage(path.render(world.renderer->currentCamera(), settings)));
+  const double shapes = medianError(shown("diffuse-error"));
+  world.editAndFinish([](Scene& s) { s.lamps = LampForm::InMap; });
+  const double coefficients = medianError(shown("diffuse-error"));
+  std::printf("  median error of diffuse light: %.3f, by nine coefficients %.3f\n", shapes, coefficients);
+  EXPECT_LT(shapes, 0.06);
+  EXPECT_GT(coefficients, 4.0 * shapes);
 }
 
 // A surface that scatters nothing has no diffuse light to show, and a lattice of none of its own.

@@ -116,6 +116,14 @@ TEST_P(Lamp, ShinesAsItsCaptureDoes) {
   const glm::dvec3 rays = technique("raytraced", {{"samples", 64.0}, {"filtered", true}}, "raytraced 64");
   const glm::dvec3 manyRays = technique("raytraced", {{"samples", 256.0}, {"filtered", true}}, "raytraced 256");
   const glm::dvec3 pieces = technique("footprint8", {}, "footprint8");
+  // The same at rest, where the technique's own frame is where it starts.
+  RefineSettings atRest;
+  atRest.rays = RefineSettings::kRays;
+  picture.renderer->refine(atRest);
+  picture.renderer->finishWork();
+  const glm::dvec3 rested = light(picture.renderer->renderRefined(kSize, kSize, 1, atRest)) / expected;
+  print("at rest", rested);
+  picture.renderer->refine({});
 
   // The lobe's integral over what the probe captured: no technique stands between.
   ReferenceBoxMaps maps;

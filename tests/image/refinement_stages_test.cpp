@@ -18,7 +18,7 @@ TEST(Refinement, StagesHaveFourTimesTheRaysAndEndWithThoseAskedFor) {
   for (const auto& [asked, stages] : std::vector<std::pair<int, std::vector<int>>>{
            {256, {16, 64, 256}}, {1, {1}}, {16, {16}}, {100, {16, 64, 100}}, {1025, {16, 64, 256, 1024, 1025}}}) {
     Refinement refinement;
-    refinement.begin(endingAt(asked), 16);
+    refinement.begin(endingAt(asked), 5);
     int frames = 1;
     for (const int inAll : stages) {
       ASSERT_TRUE(refinement.more()) << asked;
@@ -38,8 +38,13 @@ TEST(Refinement, StagesHaveFourTimesTheRaysAndEndWithThoseAskedFor) {
 TEST(Refinement, AGoodFrameIsNotReplacedByFewRays) {
   Refinement refinement;
   refinement.begin(endingAt(256), 64);
-  EXPECT_EQ(refinement.rays().inAll, 64);
+  EXPECT_EQ(refinement.rays().inAll, 256);
   EXPECT_LT(refinement.share(1), 0.2);
+  // A single stage tells by its own frames what is left.
+  EXPECT_LT(refinement.framesOfPart(), refinement.frames());
+  refinement.endStage({0.2, 9.0}, {0.03, 2.0});
+  EXPECT_GE(refinement.left(), 0.01);
+  EXPECT_LE(refinement.left(), 0.06);
 }
 
 TEST(Refinement, AStageGrowsIntoThePictureAndStandsForItAtItsEnd) {
@@ -63,7 +68,7 @@ TEST(Refinement, AStageGrowsIntoThePictureAndStandsForItAtItsEnd) {
 
 TEST(Refinement, EndsWhereNothingMoreWouldShowOrEnoughIsReached) {
   Refinement refinement;
-  refinement.begin(endingAt(4096), 16);
+  refinement.begin(endingAt(4096), 5);
   refinement.endStage({0.2, 9.0});
   EXPECT_LT(refinement.left(), 0.0) << "the first stage replaces a picture of another kind";
   EXPECT_TRUE(refinement.more());

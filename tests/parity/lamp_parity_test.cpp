@@ -150,11 +150,15 @@ TEST(LampParity, ExtremeLampsGiveAShareOfTheirLight) {
 struct Ramp : shading::LatticeSampler {
   glm::vec4 fetchLattice(const vec3& place, int part) const override {
     const auto p = static_cast<float>(part);
+    const float cut = 0.9f - 0.15f * (p - 7.0f);
+    if (part >= 7) return cut * vec4(1.0f, 0.3f + 0.02f * place.x, 0.6f - 0.01f * place.z, 0.0f);
     return vec4(0.3f + 0.1f * place.x, 0.2f - 0.05f * place.y * p, 0.01f * place.z + 0.02f * p, 0.1f * p);
   }
 };
 constexpr const char* kRamp =
     "vec4 fetchLattice(int slot, vec3 place, int part)\n{\n  float p = float(part);\n"
+    "  float cut = 0.9 - 0.15 * (p - 7.0);\n"
+    "  if (part >= 7) { return cut * vec4(1.0, 0.3 + 0.02 * place.x, 0.6 - 0.01 * place.z, 0.0); }\n"
     "  return vec4(0.3 + 0.1 * place.x, 0.2 - 0.05 * place.y * p, 0.01 * place.z + 0.02 * p, 0.1 * p);\n}\n";
 
 TEST(LampParity, LatticesShineTheSame) {
@@ -163,14 +167,14 @@ TEST(LampParity, LatticesShineTheSame) {
   std::normal_distribution<float> gauss;
   std::vector<vec4> position, normal;
   for (std::size_t i = 0; i < kLampCount; ++i) {
-    position.emplace_back(3.0f * gauss(random), 2.0f * gauss(random), 4.0f * gauss(random), 0.0f);
+    position.emplace_back(3.0f * gauss(random), 2.0f * gauss(random), 4.0f * gauss(random), i % 2 == 0 ? 1.0f : 0.0f);
     normal.emplace_back(glm::normalize(vec3(gauss(random), gauss(random), gauss(random))), 0.0f);
   }
   const auto gpu = test::evaluateOnGpu(
       window, text({"shared/lattice_types.glsl", "shared/sh.glsl"}) + kRamp + text({"shared/lattice.glsl"}),
       "  LatticeShape lattice; lattice.low = vec3(-2.0, -1.0, -3.0); lattice.perUnit = vec3(1.1, 0.9, 0.8);\n"
-      "  lattice.last = vec3(4.0, 2.0, 5.0); lattice.slot = 0;\n"
-      "  out0 = vec4(latticeIrradiance(lattice, in0.xyz, in1.xyz), 0.0);\n",
+      "  lattice.last = vec3(4.0, 2.0, 5.0); lattice.slot = 0; lattice.cut = in0.w;\n"
+      "  out0 = vec4(latticeIrradiance(lattice, in0.xyz, in1.yzx, in1.xyz), 0.0);\n",
       {position, normal}, 1);
   const Ramp ramp;
   shading::LatticeShape lattice{};
@@ -180,7 +184,8 @@ TEST(LampParity, LatticesShineTheSame) {
   lattice.slot = &ramp;
   float worst = 0.0f;
   for (std::size_t i = 0; i < kLampCount; ++i) {
-    const vec3 cpu = shading::latticeIrradiance(lattice, vec3(position[i]), vec3(normal[i]));
+    lattice.cut = position[i].w;
+    const vec3 n(normal[i]), cpu = shading::latticeIrradiance(lattice, vec3(position[i]), vec3(n.y, n.z, n.x), n);
     worst = std::max(worst, glm::length(vec3(gpu[0][i]) - cpu));
   }
   std::printf("  worst difference %.2g\n", static_cast<double>(worst));

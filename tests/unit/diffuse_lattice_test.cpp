@@ -109,7 +109,7 @@ TEST(DiffuseLattice, OfTheFarAwayHasTheCapturesOwnCoefficients) {
   std::mt19937 random(3);
   for (int i = 0; i < 100; ++i) {
     const vec3 n = randomDirection(random), p = 3.0f * randomDirection(random);
-    const vec3 found = shading::latticeIrradiance(lattice.shape(), p, n);
+    const vec3 found = shading::latticeIrradiance(lattice.shape(), p, n, n);
     const vec3 whole = shading::shIrradiance(n, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
     EXPECT_NEAR(glm::length(found - whole), 0.0f, 0.003f) << i;
   }
@@ -120,7 +120,7 @@ TEST(DiffuseLattice, IsLinearBetweenNodesAndConstantBeyond) {
   const shading::LatticeShape shape = lattice.shape();
   const vec3 step = (lattice.high - lattice.low) / vec3(lattice.nodes - 1);
   const auto light = [&](const vec3& p) {
-    return shading::latticeIrradiance(shape, p, glm::normalize(vec3(0.4f, -0.7f, 0.5f)));
+    return shading::latticeIrradiance(shape, p, vec3(0, 1, 0), glm::normalize(vec3(0.4f, -0.7f, 0.5f)));
   };
   const vec3 a = lattice.low + step * vec3(2.0f, 1.0f, 3.0f);
   for (int axis = 0; axis < 3; ++axis) {
@@ -155,7 +155,7 @@ TEST(DiffuseLattice, AWallShinesAsItsPolygonDoes) {
         wall.emplace_back(vec3(kLow.x, y, z) - p);
       }
       const auto truth = static_cast<float>(test::trueFormFactor(wall, test::LongVec(n)));
-      const vec3 found = shading::latticeIrradiance(lattice.shape(), p, n);
+      const vec3 found = shading::latticeIrradiance(lattice.shape(), p, n, n);
       EXPECT_NEAR(found.x, truth, 0.03f) << p.x << " " << n.x;
       EXPECT_NEAR(found.y, 0.5f * found.x, 1e-5f);
       EXPECT_NEAR(found.z, 0.25f * found.x, 1e-5f);
@@ -179,8 +179,8 @@ TEST(DiffuseLattice, KeepsItsAxesApart) {
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   for (int i = 0; i < 100; ++i) {
     const vec3 n = randomDirection(random), p = kLow + (kHigh - kLow) * vec3(unit(random), unit(random), unit(random));
-    const vec3 a = shading::latticeIrradiance(upright.shape(), p, n);
-    const vec3 b = shading::latticeIrradiance(turned.shape(), p, worldFromProbe * n);
+    const vec3 a = shading::latticeIrradiance(upright.shape(), p, n, n);
+    const vec3 b = shading::latticeIrradiance(turned.shape(), p, n, worldFromProbe * n);
     EXPECT_NEAR(glm::length(a - b), 0.0f, 0.004f) << i;
   }
 }
@@ -189,7 +189,7 @@ TEST(DiffuseLattice, OfNothingIsDark) {
   const DiffuseLattice none = makeDiffuseLattice(CubeMap(), shapeOf());
   EXPECT_TRUE(none.empty());
   EXPECT_EQ(none.fetchLattice(vec3(0.0f), 3), vec4(0.0f));
-  EXPECT_EQ(shading::latticeIrradiance(none.shape(), vec3(0.3f), vec3(0, 1, 0)), vec3(0.0f));
+  EXPECT_EQ(shading::latticeIrradiance(none.shape(), vec3(0.3f), vec3(0, 1, 0), vec3(0, 1, 0)), vec3(0.0f));
 }
 
 }  // namespace

@@ -218,7 +218,7 @@ class LampsAndLattice {
     for (const PanelLamp& lamp : room.lamps) polygons_.push_back(shapeOf(lamp));
   }
   dvec3 at(const vec3& p, const vec3& n, bool lamps = true) const {
-    dvec3 sum(shading::latticeIrradiance(lattice_.shape(), p, n));
+    dvec3 sum(shading::latticeIrradiance(lattice_.shape(), p, n, n));
     for (std::size_t i = 0; lamps && i < polygons_.size(); ++i) {
       sum += room_.lamps[i].radiance * static_cast<double>(shading::lampDiffuse(&polygons_[i], p, n));
     }

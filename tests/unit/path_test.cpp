@@ -171,6 +171,72 @@ TEST(Path, ALampOverAFloorIsItsFormFactor) {
               albedo * shine * formFactor(corners, {0.4, 0.0, -0.31}, {0.0, 1.0, 0.0}) / kPi, 0.01);
 }
 
+glm::dvec3 diffuseLight(const World& world, const glm::dvec3& from, const glm::dvec3& to, int bounces) {
+  Camera camera;
+  camera.position = from;
+  camera.target = to;
+  camera.verticalFovDegrees = 1.0;
+  PathSettings settings;
+  settings.width = 5;
+  settings.height = 3;
+  settings.raysPerPixel = 2048;
+  settings.bounces = bounces;
+  settings.quantity = PathQuantity::DiffuseLight;
+  const ReferencePicture light =
+      ReferencePath(world.scene, {std::make_shared<const Model>(world.model)}, nullptr).render(camera, settings);
+  const ImageRgbaF truth = diffuseTruthImage(light);
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 0; i < 15; ++i) {
+    const float *mean = &light.color.pixels[4 * i], *error = &light.standardError.pixels[4 * i];
+    const float* kept = &truth.pixels[4 * i];
+    for (int c = 0; c < 3; ++c) {
+      sum[c] += static_cast<double>(mean[c]) / 15.0;
+      EXPECT_EQ(kept[c], mean[c]);
+    }
+    EXPECT_NEAR(kept[3], error[0] * error[0] + error[1] * error[1] + error[2] * error[2], 1e-9);
+    EXPECT_GE(kept[3], 0.0f);
+  }
+  return sum;
+}
+
+// A wall's diffuse light is its radiance over its colour, whatever else lies there; light sources add to what arrives
+// by way of other surfaces alone.
+TEST(Path, DiffuseLightIsWhatAWhiteMatteSurfaceWouldShow) {
+  const glm::dvec3 color(0.7, 0.5, 0.3), from(0.4, 1.1, 0.9), wall(-2.2, 1.3, -0.6), tile(-2.2, 1.3, 0.5);
+  World world;
+  addBox(world.model, "room", {-2.2f, 0.1f, -1.9f}, {2.1f, 2.7f, 1.5f}, true, lambert(glm::vec3(color)));
+  Material lamp = lambert(glm::vec3(0.0f));
+  lamp.emissive = glm::vec3(21.0f, 18.0f, 14.0f);
+  addQuad(world.model, "lamp", {-0.7f, 2.6f, 0.3f}, {0.3f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.2f}, lamp);
+  Material metal;
+  metal.metallic = 1.0f;
+  metal.roughness = 0.3f;
+  metal.emissive = glm::vec3(0.4f);
+  addQuad(world.model, "tile", glm::vec3(tile) + glm::vec3(1e-3f, 0.0f, 0.0f), {0.0f, 0.0f, -0.02f},
+          {0.0f, 0.02f, 0.0f}, metal);
+  for (const int bounces : {0, 2}) {
+    const glm::dvec3 seen = world.color(from, wall, 4096, bounces), light = diffuseLight(world, from, wall, bounces);
+    EXPECT_LT(glm::length(seen / color - light), 0.015 * glm::length(light)) << bounces;
+    EXPECT_GT(light.x, 0.1);
+  }
+  World bare = world;
+  bare.model.instances.pop_back();
+  const glm::dvec3 onTile = diffuseLight(world, from, tile, 2), without = diffuseLight(bare, from, tile, 2);
+  EXPECT_LT(glm::length(onTile - without), 0.015 * glm::length(without));
+
+  const glm::dvec3 direct = diffuseLight(world, from, wall, 0), once = diffuseLight(world, from, wall, 1);
+  Light bulb;
+  bulb.type = LightType::Point;
+  bulb.position = {1.2, 1.9, -0.7};
+  bulb.color = glm::vec3(1.0f);
+  bulb.intensity = 9.0;
+  bulb.radius = 0.1;
+  world.scene.lights = {bulb};
+  EXPECT_LT(glm::length(diffuseLight(world, from, wall, 0) - direct), 0.015 * glm::length(direct));
+  EXPECT_GT(diffuseLight(world, from, wall, 1).x, 1.1 * once.x);
+  EXPECT_GT(world.color(from, wall, 4096, 0).x / color.x, 1.1 * direct.x);
+}
+
 TEST(Path, LightSourcesFollowTheirFormulas) {
   const glm::dvec3 albedo(0.64, 0.41, 0.86), power(3.1, 2.2, 5.3);
   const glm::dvec3 from(-1.4, 1.1, 0.9), place(0.3, 0.0, -0.4);

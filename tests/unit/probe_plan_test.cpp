@@ -292,7 +292,7 @@ TEST(ProbePlan, AProbeKeepsItsEntryThroughAChangeOfTheList) {
   EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:near2")) << "it showed the one that is gone";
 }
 
-// Nodes a unit apart, 16 along an axis at most, 28 numbers each.
+// Nodes half a unit apart, 16 along an axis at most, 40 numbers each.
 TEST(ProbePlan, LatticesAreCountedBeforeAnythingIsMade) {
   ThreeRooms rooms(1);
   rooms.scene.probes[1].box.max = rooms.scene.probes[1].box.min + glm::dvec3(90.0, 4.2, 31.0);
@@ -307,15 +307,15 @@ TEST(ProbePlan, LatticesAreCountedBeforeAnythingIsMade) {
     std::size_t of = 1;
     for (int axis = 0; axis < 3; ++axis) {
       const double size = probe.box.max[axis] - probe.box.min[axis];
-      of *= static_cast<std::size_t>(std::min(std::max(std::floor(size + 0.5) + 1.0, 2.0), 16.0));
+      of *= static_cast<std::size_t>(std::min(std::max(std::floor(2.0 * size + 0.5) + 1.0, 2.0), 16.0));
     }
     nodes += of;
   }
-  EXPECT_GT(nodes, 16u * 5u * 16u);
-  const std::size_t all = 3 * probeMapsBytes(32, true) + captureScratchBytes(32) + nodes * 28 * 4;
+  EXPECT_GT(nodes, 16u * 9u * 16u);
+  const std::size_t all = 3 * probeMapsBytes(32, true) + captureScratchBytes(32) + nodes * 40 * 4;
   EXPECT_TRUE(rooms.plan.checkMemory(all));
   EXPECT_FALSE(rooms.plan.checkMemory(all - 1));
-  EXPECT_THAT(rooms.plan.memoryError(), HasSubstr(memoryText(nodes * 28 * 4) + " of lattices need "));
+  EXPECT_THAT(rooms.plan.memoryError(), HasSubstr(memoryText(nodes * 40 * 4) + " of lattices need "));
 }
 
 TEST(ProbePlan, MapsThatDoNotFitAreNotMade) {

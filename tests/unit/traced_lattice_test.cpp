@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <random>
+#include <utility>
 
 namespace {
 
@@ -152,6 +153,83 @@ TEST(TracedLattice, SunAndSkyLightWhatNodesSee) {
       EXPECT_NEAR(static_cast<double>(mean[c]) / truth, 1.0, 0.03) << c;
     }
   }
+}
+
+// Two closed rooms with a wall of 0.1 between them, and one box around both. The place of the capture is in the wall.
+struct TwoRooms : SightLines {
+  static constexpr double kWall = 0.05;  // half of it, about x = 0
+  bool empty() const override { return false; }
+  static bool within(const dvec3& p) {
+    return p.x > kLow.x && p.x < kHigh.x && p.y > kLow.y && p.y < kHigh.y && p.z > kLow.z && p.z < kHigh.z &&
+           std::abs(p.x) > kWall;
+  }
+  bool blocked(const dvec3& from, const dvec3& to, bool) const override {
+    return glm::length(from) < 1e-6 || !within(from) || !within(to) || (from.x > 0.0) != (to.x > 0.0);
+  }
+  std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
+    const bool east = from.x > 0.0;
+    const dvec3 low(east ? kWall : kLow.x, kLow.y, kLow.z), high(east ? kHigh.x : -kWall, kHigh.y, kHigh.z);
+    Met met;
+    met.distance = 1e300;
+    for (int a = 0; a < 3; ++a) {
+      const double to = d[a] > 0.0 ? (high[a] - from[a]) / d[a] : d[a] < 0.0 ? (low[a] - from[a]) / d[a] : 1e300;
+      if (to >= met.distance) continue;
+      met.distance = to;
+      met.normal = dvec3(0.0);
+      met.normal[a] = d[a] > 0.0 ? -1.0 : 1.0;
+    }
+    met.albedo = kAlbedo;
+    return met;
+  }
+};
+
+TEST(TracedLattice, NoLightComesThroughAWallInTheBox) {
+  Light light;
+  light.type = LightType::Point;
+  light.position = {-1.1, 0.6, -0.3};
+  light.intensity = 3.0f;
+  light.color = {1.0f, 0.8f, 0.5f};
+  LatticeSurroundings in;
+  in.lines = std::make_shared<const TwoRooms>();
+  in.lamps = std::make_shared<const SceneLamps>();
+  in.lights = std::make_shared<const std::vector<Light>>(std::vector<Light>{light});
+  CubeMap dark(8, 1);
+  for (int face = 0; face < 6; ++face) std::fill_n(dark.face(0, face), 8 * 8 * 4, 0.0f);
+  const CubeMap means = plainMeans(dark);
+  shading::ProbeShape shape{};
+  shape.boxMin = glm::vec3(kLow);
+  shape.boxMax = glm::vec3(kHigh);
+  shape.projection = 0;
+  DiffuseLattice lattice = tracedLattice(makeDiffuseLattice(means, shape), means, in);
+  ASSERT_GT(lattice.cutWays, 0);
+  // Mean and most over all walls of a room, its side of the wall between them among these.
+  const auto lightOf = [&](bool east) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(0.0, 1.0);
+    const dvec3 low(east ? TwoRooms::kWall : kLow.x, kLow.y, kLow.z);
+    const dvec3 high(east ? kHigh.x : -TwoRooms::kWall, kHigh.y, kHigh.z);
+    double sum = 0.0, most = 0.0;
+    constexpr int kPoints = 600;
+    for (int i = 0; i < kPoints; ++i) {
+      dvec3 p = low + (high - low) * dvec3(any(random), any(random), any(random)), n(0.0);
+      const int axis = i % 3;
+      p[axis] = i / 3 % 2 == 0 ? low[axis] : high[axis];
+      n[axis] = i / 3 % 2 == 0 ? 1.0 : -1.0;
+      const glm::vec3 facing(n);
+      const glm::vec3 there = shading::latticeIrradiance(lattice.shape(), glm::vec3(p), facing, facing);
+      sum += static_cast<double>(there.y);
+      most = std::max(most, static_cast<double>(there.y));
+    }
+    return std::make_pair(sum / kPoints, most);
+  };
+  const double bright = lightOf(false).first, black = lightOf(true).second;
+  lattice.cuts.clear();
+  const double leaks = lightOf(true).second;
+  std::printf("lit room %.4f, brightest place of the dark one %.6f, without cuts %.4f; %d ways cut\n", bright, black,
+              leaks, lattice.cutWays);
+  EXPECT_GT(bright, 0.05);
+  EXPECT_LT(black, 0.01 * bright);
+  EXPECT_GT(leaks, 0.1 * bright) << "nothing is judged";
 }
 
 }  // namespace

@@ -65,9 +65,10 @@ std::string bouncesText(const std::optional<int>& bounces) {
 }
 
 ReferencePicture tracePaths(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
-                            const PicturePart& part, const ReferenceProgress& progress) {
+                            PathQuantity quantity, const PicturePart& part, const ReferenceProgress& progress) {
   const FrameSize size = parseFrameSize(options.size);
   PathSettings settings;
+  settings.quantity = quantity;
   settings.width = size.width;
   settings.height = size.height;
   settings.raysPerPixel = options.rays;
@@ -274,11 +275,33 @@ bool isReference(const std::string& technique) {
   return technique == kBox || technique == kScene || technique == kPath;
 }
 
+bool comparesDiffuse(const std::string& view) {
+  return view == "diffuse-error" || view == kAllViews;
+}
+
+ImageRgbaF traceDiffuse(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
+                        const InterruptGuard& interrupt) {
+  RenderOptions traced = options;
+  constexpr int kSheetRays = 16;  // a sheet is an overview: its other views take seconds
+  if (options.view == kAllViews && options.rays == kDefaultReferenceRays) traced.rays = kSheetRays;
+  ProgressLine line("diffuse light", !options.report.quiet);
+  const ReferencePicture light = tracePaths(loaded, camera, traced, PathQuantity::DiffuseLight, {}, [&](double done) {
+    line.show(done);
+    return !interrupt.interrupted();
+  });
+  interrupt.check();
+  return diffuseTruthImage(light);
+}
+
 void refuseReferenceOptions(const RenderOptions& options) {
-  const std::string advice = " is for --technique reference-scene, reference-path or reference-box alone";
+  const std::string advice =
+      " is for --technique reference-scene, reference-path or reference-box, and for --view diffuse-error or all";
   if (options.full) throw InputError("--full is for --technique reference-scene alone");
-  if (!options.bounces.empty()) throw InputError("--bounces is for --technique reference-path alone");
   if (!options.shard.empty()) throw InputError("--shard is for --technique reference-scene or reference-path alone");
+  if (comparesDiffuse(options.view)) return;
+  if (!options.bounces.empty()) {
+    throw InputError("--bounces is for --technique reference-path, and for --view diffuse-error or all");
+  }
   if (options.rays != kDefaultReferenceRays) throw InputError("--rays " + std::to_string(options.rays) + advice);
 }
 
@@ -309,7 +332,7 @@ void renderReference(const RenderOptions& options, bool linear) {
       interrupt.waitForPartialResults();
       return !interrupt.interrupted();
     };
-    if (path) return tracePaths(loaded, camera, options, part, progress);
+    if (path) return tracePaths(loaded, camera, options, PathQuantity::Radiance, part, progress);
     return box ? boxPicture(loaded, camera, options, interrupt, progress)
                : traceScene(loaded, camera, options, part, diffuse, progress);
   };

@@ -5,11 +5,22 @@
 #include <string>
 
 #include "app/cli/options/render_options.h"
+#include "app/session/interrupt.h"
+#include "app/session/load_scene.h"
 
 namespace boxprobe {
 
 /// Is this --technique a reference?
 bool isReference(const std::string& technique);
+
+/// Does this --view need traced diffuse light?
+bool comparesDiffuse(const std::string& view);
+
+/// What SceneRenderer::setDiffuseTruth takes: --rays paths per pixel, bounces as of
+/// reference-path.
+/// Throws WorkError if interrupted.
+ImageRgbaF traceDiffuse(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
+                        const InterruptGuard& interrupt);
 
 /// Options that only a reference has must not be passed over in silence: throws InputError.
 void refuseReferenceOptions(const RenderOptions& options);

@@ -108,6 +108,13 @@ void runRender(const RenderOptions& options) {
   shown.show(loaded.scene, loaded.models, settings);
   shown.renderer().refine(refine);
   captureShown(shown, interrupt, options.report.quiet);
+  if (comparesDiffuse(options.view)) {
+    shown.renderer().setDiffuseTruth(traceDiffuse(loaded, camera, options, interrupt));
+  }
+  if (refine.rays > 0) {
+    shown.renderer().sharpenMirrors(size.height);
+    captureShown(shown, interrupt, options.report.quiet);
+  }
   if (!linear) exposeAutomatically(shown, loaded, settings, aspect);
   const PictureTimes times = drawPicture(shown, options, linear, interrupt);
 

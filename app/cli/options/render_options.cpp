@@ -74,15 +74,16 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->type_name("N");
   command
       .add_option("--rays", options.rays,
-                  "Reflection rays per pixel of a reference, paths per pixel of reference-path (default 256)")
+                  "Reflection rays per pixel of a reference, paths per pixel of reference-path and of the "
+                  "view diffuse-error (default 256)")
       ->check(CLI::Range(1, 65536).description(""))
       ->type_name("N");
   command.add_flag("--full", options.full, "reference-scene: reflections also show what the probes do not see");
   command
-      .add_option(
-          "--bounces", options.bounces,
-          "reference-path: how often light goes from surface to surface: 0 to 1000, or all (default: the most of "
-          "the scene's probes; without probes all)")
+      .add_option("--bounces", options.bounces,
+                  "reference-path, view diffuse-error: how often light goes from surface to surface: 0 to 1000, or all "
+                  "(default: the most of "
+                  "the scene's probes; without probes all)")
       ->type_name("N|all");
   command
       .add_option("--shard", options.shard,

@@ -38,9 +38,9 @@ struct RenderOptions {
   std::string probes = "on";
   std::string tone;  ///< empty: the scene's
   int frames = 0;
-  int rays = kDefaultReferenceRays;  ///< of a reference: reflection rays per pixel
+  int rays = kDefaultReferenceRays;  ///< of a reference, or of traced diffuse light: rays per pixel
   bool full = false;                 ///< of reference-scene: reflection rays see what the picture shows
-  std::string bounces;               ///< of reference-path: a number or "all"; empty: the scene's
+  std::string bounces;               ///< of traced light: a number or "all"; empty: the scene's
   std::string shard;   ///< of reference-scene and reference-path: I/N or auto; empty: alone, or as mpiexec says
   std::string refine;  ///< a number of rays or an error in percent; empty: the picture is not refined
   std::string view;    ///< id of a row of surfaceViews(); empty: the picture

@@ -15,6 +15,7 @@
 #include <exception>
 #include <glm/geometric.hpp>
 
+#include "app/gui/explain/diffuse_truth.h"
 #include "app/gui/explain/explain_card.h"
 #include "app/gui/explain/mirror_lines.h"
 #include "app/gui/explain/ray_panel.h"
@@ -41,6 +42,7 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
                                        return PixelRays(seenFrom(), size[0], size[1]);
                                      })),
       mirrors_(std::make_unique<MirrorLines>(renderer.renderer())),
+      truth_(new DiffuseTruth(renderer, this)),
       panel_(new QWidget),
       tool_(new QPushButton(tr("Explain pixels"), panel_)),
       schematicShown_(new QCheckBox(tr("Plan and elevation in the picture"), panel_)),
@@ -95,6 +97,11 @@ void DebugView::connectParts() {
   connect(&viewport_, &Viewport::pointerMoved, &inspector_, &PixelInspector::pointerMoved);
   connect(&viewport_, &Viewport::pointerLeft, &inspector_, &PixelInspector::pointerLeft);
   connect(&viewport_, &Viewport::clicked, &inspector_, &PixelInspector::click);
+  connect(truth_, &DiffuseTruth::failed, this, &DebugView::failed);
+  connect(truth_, &DiffuseTruth::pictureChanged, this, [this] {
+    inspector_.invalidate();
+    emit pictureChanged();
+  });
   connect(&inspector_, &PixelInspector::explained, this, &DebugView::show);
   connect(&inspector_, &PixelInspector::nothingExplained, this, &DebugView::showNothing);
   connect(&inspector_, &PixelInspector::readout, this, &DebugView::showReadout);
@@ -172,6 +179,7 @@ PixelInspector::Explain DebugView::hold(const QPointF& position) {
 void DebugView::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
   inspector_.unpin();
   rays_->setModels(models);
+  truth_->setModels(models);
   mirrors_->setModels(models);
 }
 
@@ -185,6 +193,7 @@ void DebugView::documentChanged(const Changes& changes) {
     const double diagonal = glm::length(renderer_.bounds().size());
     rayPanel_->setMaximumLength(std::max(diagonal, 1e-3));
   }
+  truth_->sceneChanged();
   surfacePanel_->showRange(renderer_.viewRange());
   inspector_.invalidate();
 }
@@ -200,6 +209,8 @@ void DebugView::workEnded() {
 
 void DebugView::update() {
   inspector_.update();
+  const int* size = viewport_.window3d()->GetSize();
+  if (!paused_) truth_->update(document_.scene(), QSize(size[0], size[1]));
   rays_->setPixelScale(pixelScale());
   rays_->update();
   updateMirrors();
@@ -263,6 +274,7 @@ void DebugView::showReadout(const Explanation& explanation, const QPointF& posit
 
 void DebugView::setSurfaceView(const SurfaceViewSettings& settings) {
   renderer_.setView(settings);
+  truth_->setWanted(surfaceViews()[static_cast<std::size_t>(settings.view)].id == "diffuse-error");
   surfacePanel_->showRange(renderer_.viewRange());
   inspector_.setReadout(settings.view != 0);
   emit pictureChanged();

@@ -22,6 +22,7 @@ class vtkCamera;
 
 namespace boxprobe {
 
+class DiffuseTruth;
 class ExplainCard;
 class MirrorLines;
 class RayPanel;
@@ -47,6 +48,7 @@ class DebugView : public QObject {
   const PixelInspector& inspector() const { return inspector_; }
   const RayRig& rays() const { return *rays_; }
   const MirrorLines& mirrorLines() const { return *mirrors_; }
+  const DiffuseTruth& diffuseTruth() const { return *truth_; }
 
   void setModels(const std::vector<std::shared_ptr<const Model>>& models);
   void documentChanged(const Changes& changes);
@@ -105,6 +107,7 @@ class DebugView : public QObject {
   PixelInspector inspector_;
   std::unique_ptr<RayRig> rays_;
   std::unique_ptr<MirrorLines> mirrors_;
+  DiffuseTruth* truth_;
   QWidget* panel_;
   QPushButton* tool_;
   QCheckBox* schematicShown_;

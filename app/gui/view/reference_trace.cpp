@@ -6,6 +6,7 @@
 #include <array>
 #include <exception>
 #include <functional>
+#include <iterator>
 
 #include "app/session/load_scene.h"
 #include "filters/core/base/scope_exit.h"
@@ -23,6 +24,8 @@ struct TracePass {
   int rays;
 };
 constexpr TracePass kTracePasses[] = {{8, 8}, {4, 16}, {2, 32}, {1, 64}, {1, 256}};
+/// Of diffuse light: its noise is shown as an error.
+constexpr TracePass kDiffusePasses[] = {{4, 64}, {2, 64}, {1, 64}, {1, 256}};
 
 int bouncesOf(const Scene& scene) {
   int most = 1;
@@ -90,13 +93,14 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
       if (run->stop) return;
       const auto goesOn = [run](double) { return !run->stop; };
       std::function<ReferencePicture(int, int, int)> render;
-      if (light == TracedLight::All) {
+      if (light != TracedLight::Reflection) {
         const auto path = std::make_shared<const ReferencePath>(scene, models, loadSkyImage(scene));
-        render = [path, &scene, &camera, goesOn](int width, int height, int rays) {
+        render = [path, &scene, &camera, goesOn, light](int width, int height, int rays) {
           PathSettings settings;
           settings.width = width;
           settings.height = height;
           settings.raysPerPixel = rays;
+          if (light == TracedLight::Diffuse) settings.quantity = PathQuantity::DiffuseLight;
           if (!scene.probes.empty()) settings.bounces = bouncesOf(scene);
           return path->render(camera, settings, goesOn);
         };
@@ -113,16 +117,20 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
         };
       }
       preparing.unlock();
+      const bool finer = light == TracedLight::Diffuse;
+      const std::vector<TracePass> passes =
+          finer ? std::vector<TracePass>(std::begin(kDiffusePasses), std::end(kDiffusePasses))
+                : std::vector<TracePass>(std::begin(kTracePasses), std::end(kTracePasses));
       std::size_t done = 0;
-      for (const TracePass& pass : kTracePasses) {
+      for (const TracePass& pass : passes) {
         const auto picture = std::make_shared<const ReferencePicture>(
             render(std::max(size.width() / pass.divisor, 1), std::max(size.height() / pass.divisor, 1), pass.rays));
         if (run->stop || !picture->complete) return;
         ++done;
         const QImage image = displayImage(picture->color, scene.exposure, scene.tone);
         tell(image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation),
-             static_cast<double>(done) / static_cast<double>(std::size(kTracePasses)),
-             pass.divisor == 1 ? picture : nullptr, {});
+             static_cast<double>(done) / static_cast<double>(passes.size()),
+             pass.divisor == 1 || finer ? picture : nullptr, {});
       }
     } catch (const std::exception& caught) {
       tell({}, 0.0, nullptr, QString::fromUtf8(caught.what()));

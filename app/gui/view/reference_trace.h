@@ -21,6 +21,7 @@ namespace boxprobe {
 /// What is traced.
 enum class TracedLight {
   All,         ///< by reference-path: every bounce that the scene's probes have, shadows, all lights
+  Diffuse,     ///< diffuse light alone, as many bounces; see PathQuantity::DiffuseLight
   Reflection,  ///< by reference-scene: the picture's own light, and the reflection alone traced
 };
 
@@ -44,7 +45,7 @@ class ReferenceTrace : public QObject {
 
  signals:
   /// A pass is done: display colours, of the size asked for; `share` of the work, 1 with the last pass. `light`: the
-  /// same, linear; null while the picture is coarser than that size.
+  /// same, linear; null while the picture is coarser than that size, unless it is diffuse light.
   void traced(const QImage& picture, double share, const std::shared_ptr<const ReferencePicture>& light);
   void failed(const QString& line);
 

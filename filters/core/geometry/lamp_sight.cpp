@@ -286,6 +286,7 @@ shading::LatticeShape SightLattice::shape(const glm::dvec3& origin) const {
   shading::LatticeShape shape{};
   shape.low = glm::vec3(low - origin);
   shape.last = glm::vec3(nodes - 1);
+  shape.cut = 0.0f;
   shape.perUnit = shape.last / glm::max(glm::vec3(high - low), glm::vec3(1.0e-30f));
   return shape;
 }

@@ -22,7 +22,8 @@ glm::vec3 diffuseAt(const ProbeDiffuse& diffuse, const ProbeGeometry& probe, con
     return shading::shIrradiance(n, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
   }
   const glm::vec3 inProbe(glm::transpose(probe.worldFromProbe) * (position - probe.originWorld));
-  glm::vec3 sum = shading::latticeIrradiance(diffuse.lattice->shape(), inProbe, n);
+  const glm::vec3 facing(glm::transpose(probe.worldFromProbe) * glm::dvec3(n));
+  glm::vec3 sum = shading::latticeIrradiance(diffuse.lattice->shape(), inProbe, facing, n);
   for (std::size_t i = 0; i < diffuse.lamps.size(); ++i) {
     const SceneLamp& lamp = diffuse.lamps[i];
     const LampPolygon polygon = lampPolygon(lamp, position);

@@ -3,12 +3,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <optional>
+#include <utility>
 
 #include "filters/math/shared/shared_math.h"
 
@@ -30,6 +33,7 @@ constexpr float kLeastCover = 0.1f;
 // The end of a ray that the capture origin does not see: it scatters what the lattice itself has there.
 struct FarEnd {
   glm::vec3 place{0.0f};   // probe frame
+  glm::vec3 facing{0.0f};  // its normal, probe frame
   glm::vec3 normal{0.0f};  // world
   glm::vec3 albedo{0.0f};
   std::size_t ray = 0;
@@ -98,7 +102,7 @@ class NodeTracer {
     std::array<glm::vec3, 9> sums = node.sums;
     const shading::LatticeShape shape = lattice.shape();
     for (const FarEnd& end : node.ends) {
-      const glm::vec3 arrives = shading::latticeIrradiance(shape, end.place, end.normal);
+      const glm::vec3 arrives = shading::latticeIrradiance(shape, end.place, end.facing, end.normal);
       const glm::vec3 light = end.albedo * glm::max(arrives, glm::vec3(0.0f));
       for (std::size_t k = 0; k < 9; ++k) sums[k] += basis_[end.ray][k] * light;
     }
@@ -151,7 +155,8 @@ class NodeTracer {
     if (!sky_.empty() && !within(inProbe) && !in_.lines->first(off, hit.normal)) {
       return hit.albedo * (arriving(off, hit.normal) + underSky(hit.normal));
     }
-    ends.push_back({glm::vec3(inProbe), glm::vec3(hit.normal), hit.albedo, ray});
+    const glm::vec3 facing(glm::transpose(in_.worldFromProbe) * hit.normal);
+    ends.push_back({glm::vec3(inProbe), facing, glm::vec3(hit.normal), hit.albedo, ray});
     return hit.albedo * arriving(off, hit.normal);
   }
 
@@ -219,6 +224,66 @@ class NodeTracer {
   std::vector<glm::vec3> sky_;  // along each direction; empty: the capture shows it
 };
 
+// How much of the way from a node to the next along an axis surfaces cut, by rays beside each other both ways, and the
+// means of where on the way that begins and ends. Of a node within something, the way out of it is cut.
+struct CutWay {
+  float cut = 0.0f, begins = 0.0f, ends = 0.0f;
+};
+
+CutWay cutWay(const SightLines& lines, const glm::dvec3& from, const glm::dvec3& step, const glm::dvec3& beside,
+              const glm::dvec3& above, bool fromKnown, bool toKnown) {
+  CutWay way;
+  const double length = glm::length(step);
+  if ((!fromKnown && !toKnown) || !(length > 0.0)) return way;
+  constexpr int kWays[5][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  for (const auto& k : kWays) {
+    const glm::dvec3 start = from + static_cast<double>(k[0]) * beside + static_cast<double>(k[1]) * above;
+    const auto there = fromKnown ? lines.first(start, step / length) : std::nullopt;
+    const auto back = toKnown ? lines.first(start + step, -step / length) : std::nullopt;
+    const double begins = there ? there->distance / length : 1.0, ends = back ? 1.0 - back->distance / length : 0.0;
+    const bool cutThere = fromKnown && begins < 1.0, cutBack = toKnown && ends > 0.0;
+    if (!cutThere && !cutBack) continue;
+    const double low = cutThere ? begins : fromKnown ? ends : 0.0, high = cutBack ? ends : toKnown ? begins : 1.0;
+    way.cut += 0.2f;
+    way.begins += 0.2f * static_cast<float>(std::min(low, high));
+    way.ends += 0.2f * static_cast<float>(std::max(low, high));
+  }
+  return way;
+}
+
+void cutWays(DiffuseLattice& lattice, const std::vector<char>& known, const LatticeSurroundings& in) {
+  const glm::ivec3 n = lattice.nodes;
+  const std::size_t count = known.size();
+  const glm::dvec3 step(glm::dvec3(lattice.high - lattice.low) / glm::dvec3(n - 1));
+  std::vector<glm::vec4> cuts(DiffuseLattice::kCutParts * count, glm::vec4(0.0f));
+  std::atomic<int> found{0};
+  tbb::parallel_for(std::size_t(0), count, [&](std::size_t node) {
+    const auto i = static_cast<int>(node);
+    const glm::ivec3 p(i % n.x, i / n.x % n.y, i / (n.x * n.y));
+    const glm::dvec3 from = glm::dvec3(lattice.low) + glm::dvec3(p) * step;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (p[axis] + 1 >= n[axis]) continue;
+      const std::size_t next = node + static_cast<std::size_t>(axis == 0 ? 1 : axis == 1 ? n.x : n.x * n.y);
+      // Beside the way by a tenth of it, and never through a wall that the outermost nodes stand before.
+      const auto turned = [&](int of, double most) {
+        glm::dvec3 v(0.0);
+        v[of] = std::min(0.1 * step[of], most);
+        return in.worldFromProbe * v;
+      };
+      glm::dvec3 along(0.0);
+      along[axis] = step[axis];
+      const CutWay way =
+          cutWay(*in.lines, in.originWorld + in.worldFromProbe * from, in.worldFromProbe * along,
+                 turned((axis + 1) % 3, 0.07), turned((axis + 2) % 3, 0.07), known[node] != 0, known[next] != 0);
+      if (way.cut <= 0.0f) continue;
+      ++found;
+      cuts[static_cast<std::size_t>(axis) * count + node] = glm::vec4(way.cut, way.begins, way.ends, 0.0f);
+    }
+  });
+  lattice.cutWays = found;
+  if (lattice.cutWays > 0) lattice.cuts = std::move(cuts);
+}
+
 // Nodes that are not known take the mean of those around them that are, layer by layer; all as they were if none is.
 void fillNodes(DiffuseLattice& lattice, std::vector<char> known) {
   const glm::ivec3 n = lattice.nodes;
@@ -278,6 +343,37 @@ bool LatticeSurroundings::operator==(const LatticeSurroundings& o) const {
   });
 }
 
+float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, const LatticeSurroundings& in) {
+  if (!in.lines || in.lines->empty()) return usual;
+  // Of the rays of a few places in the box: so much goes out where there is a door, so much where there is hardly a
+  // box.
+  constexpr double kDoor = 0.01, kNoRoom = 0.5;
+  constexpr int kPlaces = 3, kRaysOfPlace = 64;
+  const glm::dvec3 size(high - low);
+  // Walls are not always where the box has them.
+  const glm::dvec3 most = glm::dvec3(high) + glm::dvec3(0.1 * std::max({size.x, size.y, size.z}));
+  const glm::dvec3 least = glm::dvec3(low) - glm::dvec3(0.1 * std::max({size.x, size.y, size.z}));
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  int out = 0, all = 0;
+  for (int k = 0; k < kPlaces * kPlaces * kPlaces; ++k) {
+    const glm::dvec3 share((k % 3 + 0.5) / kPlaces, (k / 3 % 3 + 0.5) / kPlaces, (k / 9 + 0.5) / kPlaces);
+    const glm::dvec3 from = glm::dvec3(low) + share * size;
+    for (int i = 0; i < kRaysOfPlace; ++i) {
+      const double z = 1.0 - (2.0 * i + 1.0) / kRaysOfPlace,
+                   phi = 2.0 * kTracePi * (i * golden - std::floor(i * golden));
+      const double r = std::sqrt(1.0 - z * z);
+      const glm::dvec3 along(r * std::cos(phi), r * std::sin(phi), z);
+      const auto hit = in.lines->first(in.originWorld + in.worldFromProbe * from, in.worldFromProbe * along);
+      if (hit && hit->back) continue;  // within something
+      ++all;
+      const glm::dvec3 at = from + (hit ? hit->distance : 1.0e3 * glm::length(size)) * along;
+      const bool stays = glm::all(glm::greaterThanEqual(at, least)) && glm::all(glm::lessThanEqual(at, most));
+      out += stays ? 0 : 1;
+    }
+  }
+  return out > kDoor * all && out < kNoRoom * all ? 0.5f * usual : usual;
+}
+
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,
                              int rays) {
   DiffuseLattice lattice = base;
@@ -295,6 +391,7 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
   for (std::size_t node = 0; node < count; ++node) known[node] = nodes[node].known ? 1 : 0;
   // Where hardly a node is known, fronts and backs mean nothing in this scene.
   const bool fills = 4 * static_cast<std::size_t>(std::count(known.begin(), known.end(), 1)) >= count;
+  cutWays(lattice, fills ? known : std::vector<char>(count, 1), in);
   // What far ends receive is the light of the nodes around them, which see far ends themselves: again, until that makes
   // no difference. Surfaces scatter less than they receive, so that it ends.
   for (int bounce = 0; bounce < kMostNodeBounces; ++bounce) {

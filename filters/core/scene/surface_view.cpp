@@ -33,6 +33,9 @@ const std::vector<SurfaceViewRow>& surfaceViews() {
       {"node-validity", "Node validity", "",
        "Weight of lattice nodes with light of their own: 0 where all nodes around lie within things and are filled.",
        ViewKind::Scalar, 0, 1},
+      {"diffuse-error", "Diffuse error", "",
+       "Distance between the diffuse light and a path tracer's, over the latter; hatched until it is traced.",
+       ViewKind::Scalar, 0, 0.25},
   };
   return rows;
 }

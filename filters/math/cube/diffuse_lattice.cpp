@@ -71,7 +71,10 @@ std::array<float, 9> latticeBasis(const glm::vec3& directionWorld, double solidA
 }
 
 glm::vec4 DiffuseLattice::fetchLattice(const glm::vec3& place, int part) const {
-  if (empty()) return glm::vec4(0.0f);
+  const bool cut = part >= kParts;
+  if (empty() || (cut && cuts.empty())) return glm::vec4(0.0f);
+  const std::vector<glm::vec4>& from = cut ? cuts : texels;
+  if (cut) part -= kParts;
   glm::ivec3 first(0);
   glm::vec3 share(0.0f);
   for (int axis = 0; axis < 3; ++axis) {
@@ -85,7 +88,7 @@ glm::vec4 DiffuseLattice::fetchLattice(const glm::vec3& place, int part) const {
     const float weight = ((corner & 1) != 0 ? share.x : 1.0f - share.x) *
                          ((corner & 2) != 0 ? share.y : 1.0f - share.y) *
                          ((corner & 4) != 0 ? share.z : 1.0f - share.z);
-    sum += weight * texels[static_cast<std::size_t>(((part * nodes.z + z) * nodes.y + y) * nodes.x + x)];
+    sum += weight * from[static_cast<std::size_t>(((part * nodes.z + z) * nodes.y + y) * nodes.x + x)];
   }
   return sum;
 }
@@ -95,6 +98,7 @@ shading::LatticeShape DiffuseLattice::shape() const {
   shape.low = low;
   shape.last = glm::vec3(nodes - 1);
   shape.perUnit = shape.last / glm::max(high - low, glm::vec3(1.0e-30f));
+  shape.cut = cuts.empty() ? 0.0f : 1.0f;
   shape.slot = this;
   return shape;
 }

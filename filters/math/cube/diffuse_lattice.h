@@ -21,7 +21,8 @@ struct LatticeSettings {
 };
 
 struct DiffuseLattice : shading::LatticeSampler {
-  static constexpr int kParts = 7;  ///< texels a node
+  static constexpr int kParts = 7;     ///< texels a node
+  static constexpr int kCutParts = 3;  ///< and as many more where ways between nodes are cut
   static constexpr int kMostNodes = 16;
 
   glm::ivec3 nodes{0};  ///< along each axis of the box, 2 to kMostNodes
@@ -29,6 +30,10 @@ struct DiffuseLattice : shading::LatticeSampler {
   glm::vec3 high{0.0f};
   /// Parts of the nodes one after another: all nodes' first texels, x fastest, then y, then z; then all second ones.
   std::vector<glm::vec4> texels;
+  /// In that order, of the ways from a node to the next along x, then y, then z: how much of it is cut; that times where
+  /// what cuts it begins; that times where it ends. Empty: all nodes see their neighbours.
+  std::vector<glm::vec4> cuts;
+  int cutWays = 0;  ///< ways between nodes that are cut, wholly or in part
 
   bool empty() const { return texels.empty(); }
   glm::vec4 fetchLattice(const glm::vec3& place, int part) const override;

@@ -23,7 +23,8 @@ namespace boxprobe::shading {
 class LatticeSampler {
  public:
   virtual ~LatticeSampler() = default;
-  /// Texel `part`, 0 to 6, of a node; linear between nodes. `place`: number of the node along each axis, within them.
+  /// Texel `part`, 0 to 6, or 9 if the way between some nodes is cut, of a node; linear between nodes. `place`: number
+  /// of the node along each axis, within them.
   virtual glm::vec4 fetchLattice(const glm::vec3& place, int part) const = 0;
 };
 
@@ -61,9 +62,16 @@ LampLobe lampLobe(vec3 normal, vec3 view, float roughness);
 vec2 lampGlossy(const LampPolygon* lamp, vec3 position, LampLobe lobe);
 
 vec3 latticePlace(LatticeShape lattice, vec3 position);
-/// Irradiance over pi; `position` in the probe's frame, the unit normal in the world's axes.
-vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 n);
-/// Weight of the nodes around `position`, probe frame, that do not have their light from neighbours.
+/// Share of the next of two nodes at `t` of the way to it, where a surface that begins and ends at those parts of the
+/// way, times `cut`, cuts so much of it.
+float latticeStep(float t, float lean, float cut, float begins, float ends);
+/// The place, in numbers of nodes, where the light of a surface at `place` is looked up, if ways between nodes are cut.
+vec3 latticeSeen(LatticeShape lattice, vec3 place, vec3 facing);
+/// Irradiance over pi; `position` and the direction that the surface faces in the probe's frame, that direction again
+/// (the unit normal `n`) in the world's axes.
+vec3 latticeIrradiance(LatticeShape lattice, vec3 position, vec3 facing, vec3 n);
+/// Weight of the nodes around `position`, probe frame, seen from there or not, that do not have their light from
+/// neighbours.
 float latticeKnown(LatticeShape lattice, vec3 position);
 
 }  // namespace boxprobe::shading

@@ -293,6 +293,7 @@ std::optional<PathLights::Aim> PathLights::aim(const glm::dvec3& from, double wh
     aim->radiance = sky_.radiance(aim->direction) / aim->density;
   } else {
     aim = aimSource(from, kind - 2, u);
+    if (aim) aim->source = true;
   }
   if (!aim) return std::nullopt;
   aim->radiance /= chance;

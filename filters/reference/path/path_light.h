@@ -63,6 +63,7 @@ class PathLights {
     glm::dvec3 radiance{0.0};   ///< over `density`
     double density = 0.0;       ///< over directions; 0: a light without a size, which no ray meets by chance
     int object = -1;            ///< of an emissive triangle
+    bool source = false;        ///< one of the scene's light sources
   };
   /// Samples light for a point, relative to the anchor; `which` selects the source. Nothing: the sample gives no light
   /// here.

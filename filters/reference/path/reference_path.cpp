@@ -27,6 +27,16 @@ double weighed(double own, double other) {
   return own * own / std::max(own * own + other * other, 1e-300);
 }
 
+/// A surface in the place of another that scatters all light by Lambert's law.
+PathSurface whiteMatte(const PathSurface& surface) {
+  PathSurface matte;
+  matte.normal = matte.coatNormal = surface.normal;
+  matte.tangent = surface.tangent;
+  matte.color = glm::dvec3(1.0);
+  matte.f0 = matte.specularEdge = 0.0;
+  return matte;
+}
+
 bool finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -38,18 +48,20 @@ struct ReferencePath::Parts {
         std::shared_ptr<const ImageRgbaF> skyImage)
       : triangles(makeTriangleScene(scene, models)), lights(scene, triangles, std::move(skyImage)) {}
 
-  glm::dvec3 radiance(glm::dvec3 origin, glm::dvec3 direction, int bounces, PathRandom& random) const;
-  glm::dvec3 aimed(const PathHit& hit, const PathLobes& lobes, PathRandom& random) const;
+  glm::dvec3 radiance(glm::dvec3 origin, glm::dvec3 direction, int bounces, PathQuantity quantity,
+                      PathRandom& random) const;
+  glm::dvec3 aimed(const PathHit& hit, const PathLobes& lobes, bool fromSources, PathRandom& random) const;
 
   PathScene triangles;
   PathLights lights;
 };
 
-/// Light of one source reflected towards the view.
-glm::dvec3 ReferencePath::Parts::aimed(const PathHit& hit, const PathLobes& lobes, PathRandom& random) const {
+/// Light of one emitter reflected towards the view. `fromSources`: including light sources of the scene.
+glm::dvec3 ReferencePath::Parts::aimed(const PathHit& hit, const PathLobes& lobes, bool fromSources,
+                                       PathRandom& random) const {
   const double which = random.one();
   const auto aim = lights.aim(hit.position, which, random.pair());
-  if (!aim || !lobes.scatters()) return glm::dvec3(0.0);
+  if (!aim || !lobes.scatters() || (aim->source && !fromSources)) return glm::dvec3(0.0);
   const glm::dvec3 value = lobes.value(aim->direction);
   if (largestOf(value) <= 0.0 || largestOf(aim->radiance) <= 0.0) return glm::dvec3(0.0);
   const double weight = aim->density > 0.0 ? weighed(aim->density, lobes.density(aim->direction)) : 1.0;
@@ -57,8 +69,9 @@ glm::dvec3 ReferencePath::Parts::aimed(const PathHit& hit, const PathLobes& lobe
   return share * weight * value * aim->radiance;
 }
 
-glm::dvec3 ReferencePath::Parts::radiance(glm::dvec3 origin, glm::dvec3 direction, int bounces,
+glm::dvec3 ReferencePath::Parts::radiance(glm::dvec3 origin, glm::dvec3 direction, int bounces, PathQuantity quantity,
                                           PathRandom& random) const {
+  const bool diffuse = quantity == PathQuantity::DiffuseLight;
   glm::dvec3 sum(0.0), through(1.0);
   double density = 0.0;  // of the direction, if light sources could be sampled in it
   int straight = 0;
@@ -66,17 +79,19 @@ glm::dvec3 ReferencePath::Parts::radiance(glm::dvec3 origin, glm::dvec3 directio
   for (int scattered = 0; scattered < kMostScatterings;) {
     const bool eye = scattered == 0;
     const auto hit = triangles.first(origin, direction, eye);
-    if (!eye) {
+    if (!eye && !(diffuse && scattered == 1)) {
       lights.meet(origin, direction, hit ? hit->distance : kPathInfinity, met);
       for (const PathLights::Met& one : met) {
         sum += through * one.radiance * (density > 0.0 ? weighed(density, one.density) : 1.0);
       }
     }
     if (!hit) {
+      if (diffuse && eye) return sum;
       const glm::dvec3 sky = lights.sky().radiance(direction);
       return sum + through * sky * (density > 0.0 ? weighed(density, lights.skyDensity(direction)) : 1.0);
     }
-    const PathSurface surface = triangles.surface(*hit, direction);
+    PathSurface surface = triangles.surface(*hit, direction);
+    if (diffuse && eye) surface = whiteMatte(surface);
     if (surface.opacity < 1.0 && random.one() >= surface.opacity) {
       if (++straight > kMostStraight) return sum;
       origin = triangles.away(*hit, direction);
@@ -92,7 +107,7 @@ glm::dvec3 ReferencePath::Parts::radiance(glm::dvec3 origin, glm::dvec3 directio
     }
     if (scattered > bounces) return sum;
     const PathLobes lobes(surface, -direction);
-    sum += through * aimed(*hit, lobes, random);
+    sum += through * aimed(*hit, lobes, !diffuse || !eye, random);
     const double which = random.one();
     const auto sample = lobes.sample(which, random.pair());
     if (!sample || !finite(sample->weight)) return sum;
@@ -136,10 +151,11 @@ ReferencePicture ReferencePath::render(const Camera& camera, const PathSettings&
             PathRandom::hashed(seed + place + 0x85ebca6bu * static_cast<std::uint32_t>(pass));
         for (int i = 0; i < plan.raysPerPass; ++i) {
           PathRandom random(pixelSeed, static_cast<std::uint32_t>(i));
-          const glm::dvec2 within = random.pair();
+          const glm::dvec2 anywhere = random.pair();
+          const glm::dvec2 within = settings.quantity == PathQuantity::Radiance ? anywhere : glm::dvec2(0.5);
           const glm::dvec3 direction = glm::normalize(rays.direction(x + within.x, y + within.y));
-          const glm::dvec3 light =
-              parts.radiance(rays.origin(x + within.x, y + within.y) - anchor, direction, bounces, random);
+          const glm::dvec3 light = parts.radiance(rays.origin(x + within.x, y + within.y) - anchor, direction, bounces,
+                                                  settings.quantity, random);
           if (finite(light)) pixel.color += light / static_cast<double>(plan.raysPerPass);
         }
         const glm::dvec3 middle = glm::normalize(rays.direction(x + 0.5, y + 0.5));
@@ -148,6 +164,18 @@ ReferencePicture ReferencePath::render(const Camera& camera, const PathSettings&
       },
       progress);
   return picture.picture();
+}
+
+ImageRgbaF diffuseTruthImage(const ReferencePicture& light) {
+  ImageRgbaF image = light.color;
+  for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
+    float squares = 0.0f;
+    for (std::size_t c = 0; c < 3; ++c) {
+      squares += light.standardError.pixels[i + c] * light.standardError.pixels[i + c];
+    }
+    image.pixels[i + 3] = light.color.pixels[i + 3] > 0.0f ? squares : -1.0f;
+  }
+  return image;
 }
 
 std::vector<std::string> ReferencePath::remarks() const {

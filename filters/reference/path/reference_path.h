@@ -24,14 +24,28 @@
 
 namespace boxprobe {
 
+/// What a picture shows.
+enum class PathQuantity {
+  Radiance,
+  /// At the surface in the middle of each pixel: irradiance over pi of emission, sky and other surfaces, that is what a
+  /// white matte surface in its place would show. Excludes what light sources of the scene send there directly.
+  /// Blended surfaces count as opaque.
+  DiffuseLight,
+};
+
 struct PathSettings {
   int width = 1280;
   int height = 720;
   int raysPerPixel = 256;      ///< paths that start at the camera
   std::optional<int> bounces;  ///< empty: unlimited
   std::uint64_t seed = 1;
+  PathQuantity quantity = PathQuantity::Radiance;
   PicturePart part;  ///< the rectangle to compute; the rest stays black
 };
+
+/// Diffuse light as SceneRenderer::setDiffuseTruth takes it: alpha is the squared standard error over the three
+/// channels, -1 where there is no surface.
+ImageRgbaF diffuseTruthImage(const ReferencePicture& light);
 
 class ReferencePath {
  public:
@@ -42,7 +56,7 @@ class ReferencePath {
   ReferencePath(const ReferencePath&) = delete;
   ReferencePath& operator=(const ReferencePath&) = delete;
 
-  /// Linear radiance. Each pixel is the mean over its square; alpha is 1 where the middle shows a surface.
+  /// Linear. Of radiance each pixel is the mean over its square; alpha is 1 where its middle shows a surface.
   /// Bit-identical for any number of threads and any part.
   ReferencePicture render(const Camera& camera, const PathSettings& settings,
                           const ReferenceProgress& progress = {}) const;

@@ -166,9 +166,15 @@ bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
     return false;
   }
   if (frames >= wanted && stages_.more()) {
-    if (!guessing_) stages_.endStage(pass->GetChange(window_, state_->exposure()));
+    if (!guessing_) {
+      const double exposure = state_->exposure();
+      stages_.endStage(pass->GetChange(window_, exposure), pass->GetChangeWithin(window_, exposure));
+    }
     guessing_ = false;
     if (stages_.more()) pass->Promote();
+  }
+  if (!guessing_ && stages_.more() && frames == stages_.framesOfPart() && frames < stages_.frames()) {
+    pass->KeepPart(window_);
   }
   if (!guessing_) setRays(stages_.rays());
   pass->Limit = guessing_ ? 1 : stages_.more() ? stages_.frames() : std::max(frames, 1);

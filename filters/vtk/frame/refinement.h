@@ -39,14 +39,17 @@ class Refinement {
  public:
   /// Starts. `firstGuess`: the number of rays that the technique's own frame is worth.
   void begin(const RefineSettings& settings, int firstGuess);
-  /// To be called when the current stage has all its frames. Advances to the next, or ends.
-  void endStage(const PictureChange& change);
+  /// To be called when the current stage has all its frames. Advances to the next, or ends. `within`: the difference
+  /// between its first frames, framesOfPart(), and all of them; none: unknown.
+  void endStage(const PictureChange& change, const PictureChange& within = {});
   /// Are there frames to draw after the technique's own?
   bool more() const { return stage_ < stages_.size(); }
 
   /// Of the current stage.
   RefinedRays rays() const;
   int frames() const;
+  /// A quarter of frames(), whose rays have about twice the noise of all.
+  int framesOfPart() const { return (frames() + 3) / 4; }
   /// The weight of its average in the picture after `framesDone` frames.
   double share(int framesDone) const;
 

@@ -216,6 +216,19 @@ boxprobe::PictureChange vtkPicturePass::GetChange(vtkWindow* window, double expo
   return boxprobe::pictureChange(this->Average->meanBefore(openGl), this->Average->mean(openGl), exposure);
 }
 
+void vtkPicturePass::KeepPart(vtkWindow* window) {
+  this->Part = this->Average->mean(vtkOpenGLRenderWindow::SafeDownCast(window));
+}
+
+boxprobe::PictureChange vtkPicturePass::GetChangeWithin(vtkWindow* window, double exposure) {
+  const std::vector<float> part = std::move(this->Part);
+  this->Part.clear();
+  if (part.empty()) {
+    return {};
+  }
+  return boxprobe::pictureChange(part, this->Average->mean(vtkOpenGLRenderWindow::SafeDownCast(window)), exposure);
+}
+
 void vtkPicturePass::ReleaseTargets() {
   this->Frame.release();
   if (this->Average) this->Average->releaseSums();

@@ -56,6 +56,10 @@ class vtkPicturePass : public vtkRenderPass {
   void Promote() { this->Average->promote(); }
   /** The difference between the average and the previous one. Reads both back. */
   boxprobe::PictureChange GetChange(vtkWindow* window, double exposure) const;
+  /** Keeps the average of the frames so far, for GetChangeWithin. */
+  void KeepPart(vtkWindow* window);
+  /** The difference between that part and the average; none if none was kept. Forgets it. */
+  boxprobe::PictureChange GetChangeWithin(vtkWindow* window, double exposure);
 
   void Render(const vtkRenderState* s) override;
   /** Releases the pictures, but not the programs. */
@@ -83,5 +87,6 @@ class vtkPicturePass : public vtkRenderPass {
   boxprobe::FrameTarget Frame;
   vtkNew<vtkTargetPass> Target;
   vtkNew<vtkSequencePass> OnTop;
+  std::vector<float> Part;            ///< RGBA; empty: none is kept
   double DepthRange[2] = {0.0, 0.0};  ///< clipping distances of the current depth
 };

@@ -171,23 +171,29 @@ void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& 
   renderer->AddViewProp(names_);
 }
 
-void ViewLegend::upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const {
-  if (resources.viewColors != 0) return;
-  std::vector<float> texels;
+// Below the colours stands the traced light, from its lowest row on: one sampler for both.
+void ViewLegend::upload(vtkOpenGLRenderWindow* window, SceneResources& resources, const ImageRgbaF& truth) const {
+  const auto columns = static_cast<std::size_t>(std::max(kColors, truth.width));
+  const auto rows = static_cast<std::size_t>(truth.height);
+  std::vector<float> texels((rows + 1) * columns * 4, -1.0f);
   for (int i = 0; i < kColors; ++i) {
     double rgb[3];
     colors_->GetColor(static_cast<double>(i) / (kColors - 1), rgb);
-    for (const double c : rgb) texels.push_back(static_cast<float>(c));
+    std::copy(rgb, rgb + 3, texels.begin() + 4 * i);
   }
-  glGenTextures(1, &resources.viewColors);
+  texels[3] = static_cast<float>(truth.width);
+  const std::size_t row = static_cast<std::size_t>(truth.width) * 4;
+  for (std::size_t y = 0; y < rows; ++y) {
+    std::copy_n(truth.pixels.begin() + static_cast<std::ptrdiff_t>((rows - 1 - y) * row), row,
+                texels.begin() + static_cast<std::ptrdiff_t>((y + 1) * columns * 4));
+  }
+  if (resources.viewColors == 0) glGenTextures(1, &resources.viewColors);
   const BoundTexture bound(window, GL_TEXTURE_2D, resources.viewColors);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, kColors, 1, 0, GL_RGB, GL_FLOAT, texels.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<int>(columns), static_cast<int>(rows) + 1, 0, GL_RGBA,
+               GL_FLOAT, texels.data());
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
-    glTexParameteri(GL_TEXTURE_2D, name, GL_LINEAR);
-  }
-  for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-    glTexParameteri(GL_TEXTURE_2D, name, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, name, GL_NEAREST);
   }
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
@@ -220,8 +226,28 @@ void ShownView::apply(SceneContent& content, DrawState& state, vtkRenderer* rend
   legend_.show(renderer, rowOf(settings_), low, high, names);
 }
 
-void ShownView::upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const {
-  if (any()) legend_.upload(window, resources);
+void ShownView::setTruth(ImageRgbaF light) {
+  truth_ = std::move(light);
+  truthChanged_ = true;
+}
+
+std::optional<glm::vec4> ShownView::truthAt(int x, int y, int width, int height) const {
+  if (truth_.pixels.empty() || width <= 0 || height <= 0) return std::nullopt;
+  const auto nearest = [](int i, int count, int texels) {
+    return std::clamp(static_cast<int>((i + 0.5) * texels / count), 0, texels - 1);
+  };
+  const int row = nearest(y, height, truth_.height), column = nearest(x, width, truth_.width);
+  const float* p = &truth_.pixels[(static_cast<std::size_t>(row) * static_cast<std::size_t>(truth_.width) +
+                                   static_cast<std::size_t>(column)) *
+                                  4];
+  if (p[3] < 0.0f) return std::nullopt;
+  return glm::vec4(p[0], p[1], p[2], p[3]);
+}
+
+void ShownView::upload(vtkOpenGLRenderWindow* window, SceneResources& resources) {
+  if (!any() || (resources.viewColors != 0 && !truthChanged_)) return;
+  legend_.upload(window, resources, truth_);
+  truthChanged_ = false;
 }
 
 }  // namespace boxprobe

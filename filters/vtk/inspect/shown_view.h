@@ -4,10 +4,13 @@
 #include <vtkSmartPointer.h>
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "filters/core/scene/model.h"
 #include "filters/core/scene/surface_view.h"
 #include "filters/vtk/scene/scene_content.h"
 
@@ -30,8 +33,8 @@ class ViewLegend {
   /// Shows a view's name, and its bar with the range or, for weights and faces, swatches. Row 0 removes everything.
   void show(vtkRenderer* renderer, const SurfaceViewRow& row, double low, double high,
             const std::vector<std::string>& probeNames);
-  /// Uploads the colour map for the shader. The context must be current.
-  void upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const;
+  /// Uploads the colour map for the shader, and traced light below it. The context must be current.
+  void upload(vtkOpenGLRenderWindow* window, SceneResources& resources, const ImageRgbaF& truth) const;
 
  private:
   void showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& colors, const std::vector<std::string>& names);
@@ -48,17 +51,23 @@ class ShownView {
   void set(const SurfaceViewSettings& settings) { settings_ = settings; }
   /// Is it a debug view instead of the picture?
   bool any() const { return settings_.view != 0; }
+  /// See SceneRenderer::setDiffuseTruth.
+  void setTruth(ImageRgbaF light);
+  /// At a pixel of a picture of `width` x `height`, from the top left; nothing: not traced there.
+  std::optional<glm::vec4> truthAt(int x, int y, int width, int height) const;
 
   /// The ends of its scale: those that were set, else the row's, else the scene's.
   std::pair<double, double> range(const SceneContent& content) const;
   /// Applies the view to objects, draws and legend.
   void apply(SceneContent& content, DrawState& state, vtkRenderer* renderer);
   /// To be called before each frame. The context must be current.
-  void upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const;
+  void upload(vtkOpenGLRenderWindow* window, SceneResources& resources);
 
  private:
   SurfaceViewSettings settings_;
   ViewLegend legend_;
+  ImageRgbaF truth_;
+  bool truthChanged_ = false;
 };
 
 }  // namespace boxprobe

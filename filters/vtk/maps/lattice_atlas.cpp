@@ -9,7 +9,7 @@ namespace boxprobe {
 namespace {
 
 constexpr int kSide = DiffuseLattice::kMostNodes;
-constexpr int kDepth = DiffuseLattice::kParts * DiffuseLattice::kMostNodes;
+constexpr int kDepth = (DiffuseLattice::kParts + DiffuseLattice::kCutParts) * DiffuseLattice::kMostNodes;
 
 // Binds the texture during some calls.
 class Bound {
@@ -42,6 +42,9 @@ void LatticeAtlas::upload(std::size_t tile) const {
   // Parts are contiguous in memory and in the texture: uploaded as one block of nodes.
   glTexSubImage3D(GL_TEXTURE_3D, 0, at.x, at.y, at.z, nodes.x, nodes.y, DiffuseLattice::kParts * nodes.z, GL_RGBA,
                   GL_FLOAT, lattice->texels.data());
+  if (lattice->cuts.empty()) return;
+  glTexSubImage3D(GL_TEXTURE_3D, 0, at.x, at.y, at.z + DiffuseLattice::kParts * nodes.z, nodes.x, nodes.y,
+                  DiffuseLattice::kCutParts * nodes.z, GL_RGBA, GL_FLOAT, lattice->cuts.data());
 }
 
 // Doubles the tiles; all are uploaded again if the columns have moved.

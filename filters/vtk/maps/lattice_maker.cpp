@@ -38,6 +38,7 @@ struct LatticeWork {
     shape.projection = source.projection;
     LatticeSettings settings;
     if (source.fewRays) settings.rays = kFewRays;
+    settings.spacing = tracedSpacing(source.boxMin, source.boxMax, settings.spacing, source.traced);
     const CubeMap capture = latticeCapture(radiance);
     const CubeMap sky = source.sky ? plainMeans(*source.sky) : CubeMap();
     const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));

@@ -203,6 +203,7 @@ FaceSource ProbeBaker::faceSource(const Probe& probe, int face) const {
 BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) {
   const Probe as = with_.plan->entries().probe(*with_.plan->entries().find(job.name));
   const bool coarse = job.kind == JobKind::Coarse, drag = job.kind == JobKind::Drag || coarse;
+  const bool sharp = job.kind == JobKind::Sharp;  // of other texels than the faces that are known
   BakeItem item;
   item.settings = captureSettings(as);
   item.coarse = item.fewSteps = coarse;
@@ -216,10 +217,10 @@ BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>
   const bool first = traced && job.bounce == 1 && with_.plan->firstWithoutSky(*with_.plan->entries().find(job.name));
   const bool open = std::holds_alternative<ClearToOpen>(as.clear) && !(traced && job.bounce > 1);
   if (open || first) item.drawing = with_.binder->withoutSky(std::move(item.drawing));
-  item.face = [this, job, as, drag, faces](int face) {
+  item.face = [this, job, as, drag, sharp, faces](int face) {
     FaceSource source;
     const auto at = with_.plan->entries().find(job.name);
-    if (!drag && at) {
+    if (!drag && !sharp && at) {
       std::string& key = (*faces)[static_cast<std::size_t>(face)];
       key = with_.plan->faceKey(*at, job.bounce, face);
       if (!with_.plan->entries()[*at].again) source.same = cache_.findFace(face, key);
@@ -301,6 +302,8 @@ void ProbeBaker::finish(MadeMaps made) {
     publishDrag(std::move(made));
   } else if (made.job.kind == JobKind::Coarse) {
     publishCoarse(std::move(made));
+  } else if (made.job.kind == JobKind::Sharp) {
+    publishSharp(std::move(made));
   } else if (made.job.kind == JobKind::Realtime) {
     publishRealtime(std::move(made));
   } else {
@@ -323,6 +326,14 @@ void ProbeBaker::publishCoarse(MadeMaps made) {
   if (!index) return;
   with_.binder->addTint(*index, *made.maps);
   if (with_.plan->entries()[*index].shown.empty()) show(*index, made.job.key, std::move(made.maps));
+}
+
+// Not kept for undo: the maps of the scene's own size are.
+void ProbeBaker::publishSharp(MadeMaps made) {
+  const auto index = with_.plan->entries().find(made.job.name);
+  if (!index || made.job.key.rfind(with_.plan->entries()[*index].wanted + kSharp, 0) != 0) return;
+  with_.binder->addTint(*index, *made.maps);
+  show(*index, made.job.key, std::move(made.maps));
 }
 
 void ProbeBaker::publishRealtime(MadeMaps made) {
@@ -351,7 +362,8 @@ void ProbeBaker::publishFinal(MadeMaps made) {
     with_.plan->remember(*index);
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (entries[i].wanted == key && entries[i].shown != key) show(i, key, made.maps);
+    if (entries[i].wanted != key || with_.plan->showsSharp(i)) continue;
+    if (entries[i].shown != key) show(i, key, made.maps);
   }
   earlier_.push_back(made.maps);
   cache_.add(key, std::move(made.faces), std::move(made.maps));
@@ -362,7 +374,7 @@ void ProbeBaker::showCached() {
   ProbeEntries& entries = with_.plan->entries();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     ProbeEntry& entry = entries[i];
-    if (entry.wanted == entry.shown || entry.wanted.empty()) continue;
+    if (entry.wanted == entry.shown || entry.wanted.empty() || with_.plan->showsSharp(i)) continue;
     if (auto maps = cache_.find(entry.wanted)) {
       show(i, entry.wanted, std::move(maps));
       entry.fromFile = false;

@@ -83,6 +83,7 @@ class ProbeBaker {
   void finish(MadeMaps made);
   void publishDrag(MadeMaps made);
   void publishCoarse(MadeMaps made);
+  void publishSharp(MadeMaps made);
   void publishRealtime(MadeMaps made);
   void publishFinal(MadeMaps made);
   void showCached();

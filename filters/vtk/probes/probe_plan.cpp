@@ -55,8 +55,10 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures, bool la
   largest_ = std::max(largest_, size);
   ++count_;
   if (!lattices) return;
-  const glm::ivec3 nodes = latticeNodes(glm::vec3(probe.box.size()), LatticeSettings{}.spacing);
-  lattices_ += static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) * DiffuseLattice::kParts * sizeof(glm::vec4);
+  // As many as it may have, where there is a door: tracedSpacing().
+  const glm::ivec3 nodes = latticeNodes(glm::vec3(probe.box.size()), 0.5f * LatticeSettings{}.spacing);
+  lattices_ += static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) *
+               (DiffuseLattice::kParts + DiffuseLattice::kCutParts) * sizeof(glm::vec4);
 }
 
 std::string MemoryNeed::error(std::size_t limitBytes) const {
@@ -246,7 +248,7 @@ void ProbePlan::updateKeys() {
   bool dropped = false;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const std::string& key = bounces_.finalKey(i);
-    if (key.empty() || !entries_.baked(i) || entries_[i].shown == key || sources_.have(key)) continue;
+    if (key.empty() || !entries_.baked(i) || entries_[i].shown == key || showsSharp(i) || sources_.have(key)) continue;
     dropped |= records_.erase(bounces_.input(i).view) > 0;
   }
   if (dropped) bounces_ = askedBounces();
@@ -329,7 +331,8 @@ bool ProbePlan::stale(std::size_t index) const {
   }
   if (!entry.needed()) return false;
   if (entries_.probe(index).mode == ProbeMode::Realtime) return entry.shown != entry.wanted || entry.passes > 0;
-  return entry.shown != entry.wanted && !(interactive_ && entry.shown == entry.wanted + kDuringDrag);
+  return entry.shown != entry.wanted && !showsSharp(index) &&
+         !(interactive_ && entry.shown == entry.wanted + kDuringDrag);
 }
 
 void ProbePlan::make() {
@@ -350,6 +353,7 @@ void ProbePlan::make() {
     }
   }
   if (!interactive_) planBounces();
+  if (!interactive_ && targets_.empty()) planSharp();
   if (coarseFirst()) planCoarse();
   planSky();
 }
@@ -377,6 +381,29 @@ void ProbePlan::planCoarse() {
       coarse.push_back({JobKind::Coarse, p.name, 1, entry.wanted + kCoarse, kCoarseFaceSize});
   }
   jobs_.insert(jobs_.begin(), coarse.begin(), coarse.end());
+}
+
+bool ProbePlan::showsSharp(std::size_t index) const {
+  const ProbeEntry& entry = entries_[index];
+  return !entry.wanted.empty() && sharp_.count(entry.name) != 0 && entry.shown.rfind(entry.wanted + kSharp, 0) == 0;
+}
+
+// After everything else, and only from bounces that are still there: nothing is captured for it but the probe itself.
+void ProbePlan::planSharp() {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const auto asked = sharp_.find(entries_[i].name);
+    const Probe& p = entries_.probe(i);
+    const ProbeEntry& entry = entries_[i];
+    if (asked == sharp_.end() || asked->second <= p.faceSize || !entries_.baked(i) || !entry.needed()) continue;
+    const std::string key = entry.wanted + kSharp + std::to_string(asked->second);
+    const bool final = entry.shown == entry.wanted || showsSharp(i);
+    if (entry.wanted.empty() || !final || entry.shown == key || !entry.given.empty()) continue;
+    bool complete = true;
+    if (p.bounces > 1) {
+      for (const std::size_t other : bounces_.sees(i)) complete &= sources_.cached(bounces_.key(other, p.bounces - 1));
+    }
+    if (complete) jobs_.push_back({JobKind::Sharp, p.name, p.bounces, key, asked->second});
+  }
 }
 
 bool ProbePlan::bakesAny() const {
@@ -476,7 +503,7 @@ BakeState ProbePlan::state(const std::string& probeName) const {
   if (!index) return BakeState::NotUsed;
   const ProbeEntry& entry = entries_[*index];
   if (current_ && current_->name == probeName) return BakeState::Capturing;
-  if (!entry.wanted.empty() && entry.shown == entry.wanted) {
+  if (!entry.wanted.empty() && (entry.shown == entry.wanted || showsSharp(*index))) {
     return entry.fromFile ? BakeState::FromFile : BakeState::UpToDate;
   }
   if (!entry.needed() && targets_.count(probeName) == 0) return BakeState::NotUsed;

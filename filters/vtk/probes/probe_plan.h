@@ -37,6 +37,7 @@ enum class JobKind {
   Realtime,  ///< a further round of a realtime probe
   Levels,    ///< of the sky, read from the file beside its picture
   Coarse,    ///< of a probe that has nothing to show yet, in few texels
+  Sharp,     ///< of a probe that shows its final maps, in more texels, for mirrors at rest
 };
 
 struct ProbeJob {
@@ -54,6 +55,9 @@ constexpr const char* kDuringDrag = " during a drag";
 /// The same for maps of few texels, shown until a probe's own are there.
 constexpr const char* kCoarse = " in few texels";
 constexpr int kCoarseFaceSize = 64;
+
+/// The same for maps of more texels than the scene asks for; the number follows.
+constexpr const char* kSharp = " in texels: ";
 
 /// Sources of maps besides captures: maps made earlier, the folder of baked files, picture files, the levels beside a
 /// sky's picture.
@@ -234,6 +238,11 @@ class ProbePlan {
   bool coarseFirst() const;
   /// Is such a capture planned or in progress?
   bool coarsePending() const;
+  /// Baked probes, by name, whose final maps are made again with faces of so many texels. Others show maps of their own
+  /// size again.
+  void setSharp(std::map<std::string, int> faceSizes) { sharp_ = std::move(faceSizes); }
+  /// Does it show its final maps in more texels, as asked?
+  bool showsSharp(std::size_t index) const;
   /// Names of baked probes to make, used or not, and nothing else; empty: whatever is needed.
   void setTargets(std::set<std::string> names) { targets_ = std::move(names); }
   const std::set<std::string>& targets() const { return targets_; }
@@ -282,6 +291,7 @@ class ProbePlan {
   bool bakesAny() const;  ///< among the targets
   void planBounces();
   void planBounce(std::size_t index, int bounce);
+  void planSharp();
 
   ProbeEntries entries_;
   ProbeSources sources_;
@@ -290,6 +300,7 @@ class ProbePlan {
   std::map<std::string, BakeRecord> records_;  ///< by view
   bool enabled_ = true, interactive_ = false, coarseFirst_ = false;
   std::set<std::string> targets_;
+  std::map<std::string, int> sharp_;
   std::string skyWanted_, skyShown_;
   int skyImageColumns_ = 0;
 

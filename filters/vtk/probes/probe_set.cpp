@@ -220,6 +220,11 @@ void ProbeSet::setCoarseFirst(bool coarse) {
   if (plan_.entries().matched()) baker_.replan();
 }
 
+void ProbeSet::setSharp(std::map<std::string, int> faceSizes) {
+  plan_.setSharp(std::move(faceSizes));
+  if (plan_.entries().matched()) baker_.replan();
+}
+
 WorkNow ProbeSet::workNow() const {
   WorkNow now;
   now.what = WorkNow::What::Rest;

@@ -12,6 +12,7 @@
 // replace the old ones, so that two moments are never mixed. A custom probe is filtered from a picture.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,8 @@ class ProbeSet {
   void setEnabled(bool enabled);
   /// See SceneRenderer::showCoarseFirst.
   void setCoarseFirst(bool coarse);
+  /// See ProbePlan::setSharp.
+  void setSharp(std::map<std::string, int> faceSizes);
   void setBakeTargets(const std::vector<std::string>& names);
   void useBakedFiles(const std::string& folder);
   /// Makes these again although nothing has changed; updateCaptures() must follow.

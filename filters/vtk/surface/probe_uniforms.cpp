@@ -192,7 +192,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   const SceneLamps* lamps = state.resources.lamps.get();
   const std::size_t count = binding.probes.size();
   PerSlot<glm::vec3> at{}, low{}, perUnit{}, last{};
-  PerSlot<float> free{};
+  PerSlot<float> free{}, cut{};
   glm::vec4 lit(0.0f);                      // slots whose diffuse light is that of lamps
   std::map<std::size_t, glm::vec4> lampOf;  // by falling power
   const auto addLamps = [&](const std::vector<std::size_t>& which, std::size_t slot) {
@@ -211,6 +211,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
       low[i] = shape.low;
       perUnit[i] = shape.perUnit;
       last[i] = shape.last;
+      cut[i] = shape.cut;
     }
     lit[static_cast<int>(i)] = lattice ? 1.0f : 0.0f;
     const bool without = binding.lookedUp(i, state.pass().capture) != probe.maps.get();
@@ -230,6 +231,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     vectors("bpLatticeLow", low.data(), count);
     vectors("bpLatticePerUnit", perUnit.data(), count);
     vectors("bpLatticeLast", last.data(), count);
+    to.program->SetUniform1fv("bpLatticeCut", static_cast<int>(count), cut.data());
     const glm::vec3 texel = state.resources.lattices->texelSize();
     to.program->SetUniform3f("bpLatticeTexel", &texel.x);
     to.texture("bpLattices", GL_TEXTURE_3D, state.resources.lattices->handle());
@@ -462,6 +464,10 @@ void uploadView(const UniformUpload& to, const DrawState& state, const ProbeBind
   const float range[2] = {debug.low, debug.high};
   to.program->SetUniform2f("bpViewRange", range);
   if (state.resources.viewColors != 0) to.texture2d("bpViewColors", state.resources.viewColors);
+  std::array<GLint, 4> viewport{0, 0, 1, 1};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  const glm::vec2 perPixel = 1.0f / glm::vec2(viewport[2], viewport[3]);
+  to.program->SetUniform2f("bpPerPixel", &perPixel.x);
   const auto& faces = faceColors();
   to.program->SetUniform3fv("bpFaceColors", 6, reinterpret_cast<const float(*)[3]>(&faces[0].x));
   to.program->SetUniformf("bpObject", static_cast<float>(object));
