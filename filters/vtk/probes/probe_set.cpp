@@ -221,6 +221,7 @@ void ProbeSet::setCoarseFirst(bool coarse) {
 }
 
 void ProbeSet::setSharp(std::map<std::string, int> faceSizes) {
+  if (faceSizes == plan_.sharp()) return;
   plan_.setSharp(std::move(faceSizes));
   if (plan_.entries().matched()) baker_.replan();
 }
