@@ -40,6 +40,7 @@ ProbeSet::ProbeSet(SceneContent* content, const std::shared_ptr<DrawState>& stat
       binder_(with_),
       tuning_(with_) {
   binder_.needs().setAll(true);
+  plan_.setFollowsBoxes(false);
 }
 
 void ProbeSet::updateShapes(const std::optional<ProbeEntries::Origins>& origins) {
@@ -178,7 +179,7 @@ void ProbeSet::step() {
 }
 
 void ProbeSet::doOne() {
-  if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return cancelWork();
+  if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit(), binder_.sightBytes())) return cancelWork();
   // Shown meanwhile, and in no final picture.
   if (baker_.standIn()) return;
   if (plan_.coarsePending() && baker_.step()) return;
