@@ -12,8 +12,11 @@
 
 #include "app/cli/options/render_options.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/geometry/lamp_sight.h"
+#include "filters/core/geometry/probe_diffuse.h"
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/io/image/image_file.h"
+#include "filters/math/cube/diffuse_lattice.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "tests/bench/harness.h"
 #include "tests/bench/stock_renderer.h"
@@ -205,18 +208,57 @@ void printTuning(const CLI::App& program, const BenchOptions& options, const Loa
           [&] { return captureSeconds(program, options, loaded, kAllTuning & ~kTunedFirstBounce); }));
 }
 
-SkyGradient stockSky(const BenchOptions& options, const Scene& scene) {
-  if (const auto* color = std::get_if<SkyColor>(&scene.sky)) return {color->color, color->color, color->color};
-  if (const auto* gradient = std::get_if<SkyGradient>(&scene.sky)) return *gradient;
-  throw InputError(options.scene + ": sky: this benchmark wants a gradient or a colour");
+/// A picture's texels are taken as they are: only the time is of interest.
+bench::StockSky stockSky(const Scene& scene) {
+  if (const auto* color = std::get_if<SkyColor>(&scene.sky)) {
+    return bench::gradientSky({color->color, color->color, color->color});
+  }
+  if (const auto* gradient = std::get_if<SkyGradient>(&scene.sky)) return bench::gradientSky(*gradient);
+  return [picture = loadSkyImage(scene)](const glm::vec3& direction) {
+    const double across = 0.5 - std::atan2(direction.x, direction.z) / 6.283185307179586;
+    const double down = 0.5 - std::asin(std::clamp(direction.y, -1.0f, 1.0f)) / 3.141592653589793;
+    const int column = std::clamp(static_cast<int>(across * picture->width), 0, picture->width - 1);
+    const int row = std::clamp(static_cast<int>(down * picture->height), 0, picture->height - 1);
+    const float* texel =
+        &picture->pixels[4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture->width) +
+                              static_cast<std::size_t>(column))];
+    return glm::vec3(texel[0], texel[1], texel[2]);
+  };
 }
 
-/// What lamps drawn as shapes cost: a frame with none, one, four and eight of them over stock VTK's.
+/// Kilobytes of graphics memory, a mean over the probes.
+struct MemoryPerProbe {
+  double maps = 0.0;      ///< filtered chains, with those without lamps, and distances
+  double lattices = 0.0;  ///< of diffuse light, in half floats, and of the lamps' visibilities
+};
+
+MemoryPerProbe memoryPerProbe(const SceneRenderer& renderer) {
+  constexpr double kTexelBytes = 8.0;  // four half floats
+  MemoryPerProbe sum;
+  for (const auto& probe : renderer.probesDiffuse().probes) {
+    if (!probe) continue;
+    if (probe->lattice) {
+      sum.lattices += kTexelBytes * static_cast<double>(probe->lattice->texels.size() + probe->lattice->cuts.size());
+    }
+    if (probe->sight) sum.lattices += static_cast<double>(probe->sight->lattice.texels.size());
+  }
+  const FrameReport report = renderer.frameReport();
+  for (const FrameReport::ProbeUse& probe : report.probes) sum.maps += static_cast<double>(probe.bytes);
+  const double toMean = 1e-3 / static_cast<double>(std::max<std::size_t>(report.probes.size(), 1));
+  return {sum.maps * toMean, sum.lattices * toMean};
+}
+
+/// What lamps drawn as shapes cost: a frame with none, one, four and eight of them over stock VTK's, a row each as it
+/// is known. Compiling takes longer than the frames: the driver compiles the lamps' programs for a minute.
 void printPanels(const CLI::App& program, const BenchOptions& options, const LoadedScene& loaded) {
   OffscreenScene measured(windowSettings(program, options));
   measured.show(loaded.scene, loaded.models);
   const Box bounds = measured.renderer().bounds();
+  bench::printHeader(options, measured);
+  std::printf(
+      "| lamps | maps, kB a probe | lattices, kB a probe | ours | stock | over stock |\n|---|---|---|---|---|---|\n");
   for (const int count : {0, 1, 4, 8}) {
+    std::fflush(stdout);
     LoadedScene lit = loaded;
     lit.scene.lamps = LampForm::Shapes;
     for (const SceneLamp& lamp : sceneLamps(lit.scene, lit.models).lamps) {
@@ -230,15 +272,20 @@ void printPanels(const CLI::App& program, const BenchOptions& options, const Loa
     OffscreenScene ours(windowSettings(program, options));
     ours.renderer().drawHidden(options.drawHidden);
     bench::prepare(ours, lit.scene, lit.models);
-    const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), stockSky(options, lit.scene));
-    if (!options.noConstants) restAndPrint(ours);
+    const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), stockSky(lit.scene));
+    if (!options.noConstants) ours.rest();
     ours.window()->AddRenderer(stock);
-    std::printf("%d lamps\n", count);
-    compareAndPrint(options, ours, options.technique, "stock image-based lighting", [&](bool drawOurs) {
+    const auto frame = [&](bool drawOurs) {
       ours.setDrawn(drawOurs);
       stock->SetDraw(drawOurs ? 0 : 1);
       return ours.timedFrame();
-    });
+    };
+    const bench::Comparison result = bench::compare(
+        2, options.frames, [&] { return frame(true); }, [&] { return frame(false); });
+    ours.requireHealthy();
+    const MemoryPerProbe memory = memoryPerProbe(ours.renderer());
+    std::printf("| %d | %.0f | %.0f | %.1f | %.1f | %.3f (%.3f to %.3f) |\n", count, memory.maps, memory.lattices,
+                result.first, result.second, result.ratio.value, result.ratio.low, result.ratio.high);
     ours.window()->RemoveRenderer(stock);
   }
 }
@@ -263,7 +310,7 @@ void run(const CLI::App& program, const BenchOptions& options) {
     runAgainstOurs(program, options, loaded);
     return;
   }
-  const SkyGradient sky = stockSky(options, loaded.scene);
+  const bench::StockSky sky = stockSky(loaded.scene);
   OffscreenScene ours(windowSettings(program, options));
   ours.renderer().drawHidden(options.drawHidden);
   bench::prepare(ours, loaded.scene, loaded.models);

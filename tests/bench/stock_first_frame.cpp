@@ -41,8 +41,8 @@ void run(const CLI::App& program, const FirstFrameOptions& options) {
   OffscreenScene ours(windowSettings(program, options));
   ours.show(loaded.scene, loaded.models, {loaded.scene.cameras.front()});  // captures nothing
   const auto* sky = std::get_if<SkyGradient>(&loaded.scene.sky);
-  const auto stock =
-      bench::makeStockRenderer(ours.renderer().renderer(), sky != nullptr ? *sky : SkyGradient{}, options.irradiance);
+  const auto stock = bench::makeStockRenderer(
+      ours.renderer().renderer(), bench::gradientSky(sky != nullptr ? *sky : SkyGradient{}), options.irradiance);
   ours.window()->RemoveRenderer(ours.renderer().renderer());
   ours.window()->AddRenderer(stock);
   ours.timedFrame();

@@ -27,7 +27,7 @@ namespace boxprobe::bench {
 
 namespace {
 
-vtkSmartPointer<vtkTexture> skyCube(const SkyGradient& sky) {
+vtkSmartPointer<vtkTexture> skyCube(const StockSky& sky) {
   constexpr int size = 256;
   auto cube = vtkSmartPointer<vtkTexture>::New();
   cube->CubeMapOn();
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkTexture> skyCube(const SkyGradient& sky) {
       for (int x = 0; x < size; ++x, texel += 3) {
         const glm::vec3 direction =
             shading::cubeDirection(face, (2.0f * x + 1.0f) / size - 1.0f, (2.0f * y + 1.0f) / size - 1.0f);
-        const glm::vec3 color = shading::skyGradient(glm::normalize(direction), sky.top, sky.horizon, sky.ground);
+        const glm::vec3 color = sky(glm::normalize(direction));
         for (int channel = 0; channel < 3; ++channel) texel[channel] = color[channel];
       }
     }
@@ -53,6 +53,11 @@ vtkSmartPointer<vtkTexture> skyCube(const SkyGradient& sky) {
 }
 
 }  // namespace
+
+StockSky gradientSky(const SkyGradient& sky) {
+  return
+      [sky](const glm::vec3& direction) { return shading::skyGradient(direction, sky.top, sky.horizon, sky.ground); };
+}
 
 vtkSmartPointer<vtkActor> stockActor(vtkActor* ours) {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
@@ -73,7 +78,7 @@ vtkSmartPointer<vtkActor> stockActor(vtkActor* ours) {
   return actor;
 }
 
-vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const SkyGradient& sky, int irradianceSize) {
+vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const StockSky& sky, int irradianceSize) {
   auto stock = vtkSmartPointer<vtkOpenGLRenderer>::New();
   stock->SetActiveCamera(ours->GetActiveCamera());
   stock->SetUseDepthPeeling(ours->GetUseDepthPeeling());

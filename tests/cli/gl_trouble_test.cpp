@@ -130,6 +130,43 @@ TEST_F(GlTrouble, ASceneRendererWithABrokenSurfaceShaderDrawsWithoutReflections)
   EXPECT_GT(lit, litPlain / 2);
 }
 
+// As drivers of 16 samplers do: the least important ones are drawn by their boxes, which is said.
+TEST_F(GlTrouble, ImpostorsBeyondWhatTheDriverLinksAreDrawnByTheirBoxes) {
+  const auto drawn = [](const char* third, const char* fourth) {
+    ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+    Probe probe = picture.scene.probes[0];
+    probe.faceSize = 64;
+    probe.bounces = 1;
+    picture.scene.probes.clear();
+    const glm::dvec3 origins[] = {{0.7, 1.4, -0.5}, {-2.1, 1.1, 1.3}, {2.6, 2.2, 0.4}, {-0.9, 0.8, -1.7}};
+    const char* techniques[] = {"impostor", "impostor", third, fourth};
+    for (int i = 0; i < 4; ++i) {
+      probe.name = std::string(1, static_cast<char>('a' + i));
+      probe.origin = origins[i];
+      probe.technique = techniques[i];
+      picture.scene.probes.push_back(probe);
+    }
+    return picture;
+  };
+  const auto show = [](ScenePicture picture) {
+    picture.show(cameraNamed(picture.scene, "main"));
+    const ImageRgba8 image = picture.display();
+    EXPECT_EQ(picture.renderer->error(), "");
+    std::string said;
+    for (const std::string& remark : picture.renderer->remarks()) said += remark + "\n";
+    return std::make_pair(image, said);
+  };
+  const auto [all, nothing] = show(drawn("impostor", "impostor"));
+  EXPECT_EQ(nothing, "");
+  const auto [two, nothingEither] = show(drawn("box", "box"));
+  const Setting broken("BOXPROBE_BREAK_SHADER", "impostors");
+  const auto [fewer, said] = show(drawn("impostor", "impostor"));
+  EXPECT_EQ(fewer.pixels, two.pixels);
+  EXPECT_NE(fewer.pixels, all.pixels);
+  EXPECT_THAT(said, HasSubstr("objects.floor: this OpenGL driver has too few texture units for all its probes; 2 "
+                              "impostors are drawn by box"));
+}
+
 TEST_F(GlTrouble, ADebugProgramThatIsRefusedHarmsNoPicture) {
   ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
   picture.show(cameraNamed(picture.scene, "main"));

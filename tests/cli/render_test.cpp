@@ -242,6 +242,38 @@ TEST_F(Render, ABackgroundIsThePicturesAlone) {
   EXPECT_TRUE(loadHdrImage(with("environment", "sky.exr")).pixels == loadHdrImage(with("plain", "plain.exr")).pixels);
 }
 
+// One colour is the display's own: its byte does not change with exposure and tone, and surfaces stay as they are.
+TEST_F(Render, ABackgroundOfOneColourIsThatColour) {
+  const auto with = [&](const std::string& output, std::vector<std::string> sets) {
+    std::vector<std::string> arguments = {"--samples", "1", "--set", "background=color"};
+    for (std::string& set : sets) arguments.insert(arguments.end(), {"--set", std::move(set)});
+    return render("building", output, arguments);
+  };
+  // srgb(0.0331) = 51, srgb(0.2159) = 128, srgb(0.6038) = 204
+  const std::string mixed = "backgroundColor=[0.0331,0.2159,0.6038]";
+  const ImageRgba8 plain = loadImage8(with("mixed.png", {mixed}));
+  const ImageRgba8 toned = loadImage8(with("toned.png", {mixed, "tone=neutral", "exposure=0.3"}));
+  const ImageRgba8 other = loadImage8(with("other.png", {"backgroundColor=[0.2159,0.0331,0.0331]"}));
+  const auto near = [](const ImageRgba8& image, std::size_t at, int red, int green, int blue) {
+    const int channels[] = {red, green, blue};
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (std::abs(static_cast<int>(image.pixels[at + c]) - channels[c]) > 1) return false;
+    }
+    return true;
+  };
+  std::size_t behind = 0, before = 0;
+  for (std::size_t i = 0; i < plain.pixels.size(); i += 4) {
+    if (near(plain, i, 51, 128, 204) && near(other, i, 128, 51, 51)) {
+      ++behind;
+      EXPECT_TRUE(near(toned, i, 51, 128, 204)) << i;
+    } else {
+      before += std::equal(&plain.pixels[i], &plain.pixels[i] + 3, &other.pixels[i]) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(behind, 100u);
+  EXPECT_GT(before, behind) << "what stands before it";
+}
+
 TEST_F(Render, SetOfAVector) {
   const std::string probe = firstProbe("room");
   const ImageRgba8 before = loadImage8(render("room", "before.png", {"--set", "materials.floor.roughness=0"}));

@@ -249,7 +249,8 @@ TEST_F(ManyProbes, ProbesOffIsStockVtk) {
   const Counters& counters = picture.renderer->counters();
   EXPECT_EQ(counters.facesCaptured + counters.skyFacesCaptured + counters.levelsFiltered + counters.uniformUpdates, 0u);
   const ImageRgbaF coverage = picture.linear();
-  const auto stock = bench::makeStockRenderer(picture.renderer->renderer(), std::get<SkyGradient>(scene.sky));
+  const auto stock =
+      bench::makeStockRenderer(picture.renderer->renderer(), bench::gradientSky(std::get<SkyGradient>(scene.sky)));
   stock->UseImageBasedLightingOff();
   picture.window->AddRenderer(stock);
   picture.renderer->renderer()->DrawOff();

@@ -1,8 +1,11 @@
 // See render_command.h.
 #include "app/cli/command/render_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/cli/command/drawn_picture.h"
 #include "app/cli/command/reference_picture.h"
@@ -68,6 +71,17 @@ std::string refinedText(const RefineSettings& asked, const RefineState& state) {
   return "refined by " + std::to_string(state.rays) + " rays a pixel" + left;
 }
 
+/// What only shows once programs are compiled. `said`: remarks that are printed already.
+void warnOfPicture(const OffscreenScene& shown, const std::vector<std::string>& said) {
+  std::vector<std::string> remarks = shown.renderer().remarks();
+  remarks.erase(std::remove_if(remarks.begin(), remarks.end(),
+                               [&said](const std::string& remark) {
+                                 return std::find(said.begin(), said.end(), remark) != said.end();
+                               }),
+                remarks.end());
+  printWarnings(remarks);
+}
+
 void runRender(const RenderOptions& options) {
   useLargePages();
   const bool linear = requireExtension("-o", options.outputPath, {".png", ".exr"}) == ".exr";
@@ -116,7 +130,9 @@ void runRender(const RenderOptions& options) {
     captureShown(shown, interrupt, options.report.quiet);
   }
   if (!linear) exposeAutomatically(shown, loaded, settings, aspect);
+  const std::vector<std::string> said = shown.renderer().remarks();
   const PictureTimes times = drawPicture(shown, options, linear, interrupt);
+  if (!options.report.quiet) warnOfPicture(shown, said);
 
   const std::string refined =
       refine.rays > 0 && !options.report.quiet ? refinedText(refine, shown.renderer().refineState()) : std::string();

@@ -74,11 +74,16 @@ std::vector<std::string> mirrorLines(const FrameReport& report) {
 std::vector<std::string> leftOutLines(const FrameReport& report) {
   std::vector<std::string> lines;
   for (const FrameReport::Object& object : report.objects) {
-    if (object.leftOut == 0) continue;
-    lines.push_back(
-        "objects." + object.node + ": " + counted(object.leftOut, "probe", "probes") + " beyond the " +
-        std::to_string(object.probes.size()) +
-        " most important ones reach it and are left out; divide the object, or raise importance where it counts");
+    if (object.leftOut > 0) {
+      lines.push_back(
+          "objects." + object.node + ": " + counted(object.leftOut, "probe", "probes") + " beyond the " +
+          std::to_string(object.probes.size()) +
+          " most important ones reach it and are left out; divide the object, or raise importance where it counts");
+    }
+    if (object.flattened > 0) {
+      lines.push_back("objects." + object.node + ": this OpenGL driver has too few texture units for all its probes; " +
+                      counted(object.flattened, "impostor is", "impostors are") + " drawn by box");
+    }
   }
   return lines;
 }

@@ -21,9 +21,10 @@ struct FrameReport {
     bool unlit = false;
     std::vector<Share> probes;  ///< in order of decreasing importance
     double sky = 1.0;
-    std::size_t leftOut = 0;  ///< probes that reach it beyond the maximum of a draw
-    bool weights = false;     ///< are weights computed?
-    std::string variant;      ///< objects with equal keys share a program, whatever their textures
+    std::size_t leftOut = 0;    ///< probes that reach it beyond the maximum of a draw
+    std::size_t flattened = 0;  ///< impostors drawn by their box, for want of texture units
+    bool weights = false;       ///< are weights computed?
+    std::string variant;        ///< objects with equal keys share a program, whatever their textures
   };
   struct ProbeUse {
     std::string name;
@@ -70,7 +71,8 @@ struct DrawnProgram {
 std::vector<std::string> mirrorLines(const FrameReport& report);
 /// Work that the frame could skip, one sentence each.
 std::vector<std::string> skippedLines(const FrameReport& report);
-/// Objects that more probes reach than a draw can have, one sentence each.
+/// Objects that more probes reach than a draw can have, or with more impostors than the driver links, one sentence
+/// each.
 std::vector<std::string> leftOutLines(const FrameReport& report);
 
 }  // namespace boxprobe

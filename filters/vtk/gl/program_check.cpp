@@ -8,10 +8,15 @@
 
 #include <map>
 
+#include "filters/core/base/scope_exit.h"
+
 namespace boxprobe {
 
 bool programCompiles(vtkOpenGLRenderWindow* window, const std::string& vertex, const std::string& geometry,
-                     const std::string& fragment) {
+                     const std::string& fragment, bool quiet) {
+  const int told = vtkObject::GetGlobalWarningDisplay();
+  if (quiet) vtkObject::GlobalWarningDisplayOff();
+  const ScopeExit toldAgain([told] { vtkObject::SetGlobalWarningDisplay(told); });
   // Separate shader objects: the cache modifies the sources it gets.
   vtkNew<vtkShader> vertexShader, geometryShader, fragmentShader;
   std::map<vtkShader::Type, vtkShader*> tried;

@@ -19,8 +19,8 @@ constexpr const char* kViewRefused =
 constexpr const char* kExplainRefused =
     "this OpenGL driver refuses the shader that explains this surface; use fewer probes or textures on one object";
 
-/// The context must be current.
+/// The context must be current. `quiet`: VTK does not report a refusal, as another program is tried then.
 bool programCompiles(vtkOpenGLRenderWindow* window, const std::string& vertex, const std::string& geometry,
-                     const std::string& fragment);
+                     const std::string& fragment, bool quiet);
 
 }  // namespace boxprobe

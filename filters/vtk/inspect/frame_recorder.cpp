@@ -6,6 +6,7 @@
 #include <set>
 
 #include "filters/core/geometry/probe_shares.h"
+#include "filters/vtk/draw/fewer_impostors.h"
 
 namespace boxprobe {
 
@@ -32,6 +33,7 @@ FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, con
     line.drawn = object.pass->GetDrawnInFrame();
     line.unlit = object.unlit;
     line.leftOut = binding->leftOut;
+    line.flattened = impostorsLeftOut(*binding);
     line.weights = binding->weights && !binding->probes.empty();
     line.variant = binding->variantKey();
     std::vector<float> weights;

@@ -30,7 +30,7 @@ int UniformUpload::bind(GLenum target, GLuint handle) const {
 }
 
 void UniformUpload::texture(const std::string& name, GLenum target, GLuint handle) const {
-  program->SetUniformi(name.c_str(), bind(target, handle));
+  if (used(name)) program->SetUniformi(name.c_str(), bind(target, handle));  // units are scarce
 }
 
 }  // namespace boxprobe

@@ -28,7 +28,8 @@ struct UniformUpload {
 
   /// Binds the texture to a free unit, and returns that unit.
   int bind(GLenum target, GLuint handle) const;
-  /// Binds the texture to a free unit, and sets the sampler `name` to it.
+  /// Binds the texture to a free unit, and sets the sampler `name` to it; nothing where the program has no such
+  /// sampler.
   void texture(const std::string& name, GLenum target, GLuint handle) const;
   void texture2d(const std::string& name, GLuint handle) const { texture(name, GL_TEXTURE_2D, handle); }
   void cube(const std::string& name, GLuint handle) const { texture(name, GL_TEXTURE_CUBE_MAP, handle); }

@@ -18,6 +18,7 @@
 #include <vtkShaderProgram.h>
 
 #include "filters/math/shared/shader_source.h"
+#include "filters/vtk/draw/fewer_impostors.h"
 #include "filters/vtk/draw/plain_surface.h"
 #include "filters/vtk/draw/probe_lamps.h"
 #include "filters/vtk/gl/broken_shader.h"
@@ -171,7 +172,16 @@ void vtkProbePass::SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> s
 }
 
 void vtkProbePass::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding) {
-  this->Asked.binding = std::move(binding);
+  this->Asked.whole = std::move(binding);
+  this->Asked.binding = this->Asked.whole;
+  if (this->Asked.whole && !this->ImpostorsLess.empty()) {
+    const auto less = this->ImpostorsLess.find(this->Asked.whole->variantKey());
+    for (int i = 0; less != this->ImpostorsLess.end() && i < less->second; ++i) {
+      if (auto fewer = boxprobe::withOneImpostorLess(*this->Asked.binding)) {
+        this->Asked.binding = std::move(fewer);
+      }
+    }
+  }
   this->UpdateDrawn();
 }
 
@@ -359,6 +369,9 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
     return false;
   }
   boxprobe::breakShaderIfAsked(sources.fragment, this->Asked.debug ? "debug" : "surface");
+  if (!this->Made.traits.firstBounce && boxprobe::impostors(this->Drawn()) > 2) {
+    boxprobe::breakShaderIfAsked(sources.fragment, "impostors");
+  }
   if (this->Made.traits.constants) {
     boxprobe::writeConstants(sources.fragment, this->Made.traits.constants->values);
     boxprobe::breakShaderIfAsked(sources.fragment, "constants");
@@ -391,7 +404,25 @@ bool vtkProbePass::Compiles(const boxprobe::ShaderSources& sources, vtkAbstractM
     vtkShaderProgram::Substitute(shader, what.OriginalValue, by.Replacement, by.ReplaceAll);
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->State->drawing->GetRenderWindow());
-  return boxprobe::programCompiles(window, text.vertex, text.geometry, text.fragment);
+  const bool another = this->Made.traits.constants || this->WithImpostorLess();
+  return boxprobe::programCompiles(window, text.vertex, text.geometry, text.fragment, another);
+}
+
+// Drivers of 16 samplers refuse the program of four impostors and several textures. Null where it has none.
+std::shared_ptr<const boxprobe::ProbeBinding> vtkProbePass::WithImpostorLess() const {
+  const bool none = this->Asked.debug || this->Made.traits.firstBounce || !this->Asked.binding;
+  return none ? nullptr : boxprobe::withOneImpostorLess(*this->Asked.binding);
+}
+
+bool vtkProbePass::DropImpostor() {
+  auto fewer = this->WithImpostorLess();
+  if (!fewer) {
+    return false;
+  }
+  ++this->ImpostorsLess[this->Asked.whole->variantKey()];
+  this->Asked.binding = std::move(fewer);
+  this->UpdateDrawn();
+  return true;
 }
 
 // Replaces a refused program by VTK's own: an object without reflections is better than none.
@@ -449,6 +480,10 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
     this->Last.constantsRefused = true;
     sources = {vertex, geometry, fragment};
     // Usually the program with uniforms has been drawn before, but facts may have changed together with the constants.
+    compiles = this->Splice(sources, actor, lit) && this->Compiles(sources, mapper, actor);
+  }
+  while (!compiles && this->DropImpostor()) {
+    sources = {vertex, geometry, fragment};
     compiles = this->Splice(sources, actor, lit) && this->Compiles(sources, mapper, actor);
   }
   if (!compiles) {

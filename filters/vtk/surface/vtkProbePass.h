@@ -29,6 +29,7 @@
 #include <vtkWeakPointer.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -71,7 +72,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   void SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface);
   const boxprobe::SurfaceMaterial* GetSurface() const { return this->Surface.get(); }
   /** A binding with another variant key needs another program, built at the next draw; otherwise only uniforms change.
-   */
+   * If the driver refuses that, GetBinding() is one with fewer impostors (fewer_impostors.h) from then on. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   const boxprobe::ProbeBinding* GetBinding() const { return this->Asked.binding.get(); }
   std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Asked.binding; }
@@ -150,7 +151,8 @@ class vtkProbePass : public vtkOpenGLRenderPass {
 
   /** The requested program. */
   struct Request {
-    std::shared_ptr<const boxprobe::ProbeBinding> binding;
+    std::shared_ptr<const boxprobe::ProbeBinding> whole;    ///< as it was given
+    std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< with as many impostors as the driver links
     bool separateSpecular = false, heights = false, debug = false;
     int objectNumber = 0;
     boxprobe::FrameParts leftOut = 0;
@@ -186,6 +188,8 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   boxprobe::SurfaceOutput OutputOf(vtkActor* actor) const;
   bool Splice(boxprobe::ShaderSources& sources, vtkActor* actor, bool lit);
   bool Compiles(const boxprobe::ShaderSources& sources, vtkAbstractMapper* mapper, vtkActor* actor) const;
+  std::shared_ptr<const boxprobe::ProbeBinding> WithImpostorLess() const;
+  bool DropImpostor();
   void Refuse(vtkAbstractMapper* mapper, vtkActor* actor);
   void Upload(vtkShaderProgram* program, const double* boundsWorld);
   void Count(vtkShaderProgram* program);
@@ -196,7 +200,8 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   Request Asked;
   Variant Made;
   Outcome Last;
-  vtkTimeStamp Built;  ///< when the program last had to change
+  std::map<std::string, int> ImpostorsLess;  ///< by the variant key of bindings that the driver refused
+  vtkTimeStamp Built;                        ///< when the program last had to change
   bool Again = false;
   vtkWeakPointer<vtkActor> Actor;
   vtkWeakPointer<vtkProp> Owner;
