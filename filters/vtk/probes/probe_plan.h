@@ -247,6 +247,7 @@ class ProbePlan {
   bool coarsePending() const;
   /// Baked probes, by name, whose final maps are made again with faces of so many texels. Others show maps of their own
   /// size again.
+  const std::map<std::string, int>& sharp() const { return sharp_; }
   void setSharp(std::map<std::string, int> faceSizes) { sharp_ = std::move(faceSizes); }
   /// Does it show its final maps in more texels, as asked?
   bool showsSharp(std::size_t index) const;

@@ -222,6 +222,7 @@ void ProbeSet::setCoarseFirst(bool coarse) {
 }
 
 void ProbeSet::setSharp(std::map<std::string, int> faceSizes) {
+  if (faceSizes == plan_.sharp()) return;
   plan_.setSharp(std::move(faceSizes));
   if (plan_.entries().matched()) baker_.replan();
 }
@@ -282,7 +283,8 @@ std::optional<ProbeDiffuse> ProbeSet::diffuseLight(std::size_t index) const {
 std::size_t ProbeSet::memoryBytes() const {
   std::size_t bytes = baker_.cache().bytes();
   for (std::size_t i = 0; i < binder_.size(); ++i) {
-    if (maps(i) && plan_.entries().probe(i).mode == ProbeMode::Realtime) bytes += maps(i)->bytes();
+    const bool kept = plan_.entries().probe(i).mode != ProbeMode::Realtime && !plan_.showsSharp(i);
+    if (maps(i) && !kept) bytes += maps(i)->bytes();
   }
   return bytes;
 }
