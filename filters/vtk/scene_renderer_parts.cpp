@@ -312,9 +312,14 @@ void SceneParts::setProbesEnabled(bool enabled) {
 void SceneParts::setInteractive(bool active) {
   makeCurrent();
   frames.dropRays();
+  const bool ended = interactive && !active;
   interactive = active;
   probes.setInteractive(active);
-  if (active || !content.divideModels()) return;
+  if (active) return;
+  if (!content.divideModels()) {
+    if (ended) updateCaptures();  // bounces follow boxes and techniques as they are let go
+    return;
+  }
   Changes cut;
   cut.models = true;
   const Scene scene = content.scene;

@@ -6,10 +6,12 @@ uniform float bpScale;    // 1 / frames, times their share of the picture
 uniform sampler2D bpBefore;    // the picture that these frames replace
 uniform float bpBeforeScale;  // the same for that picture; 0: there is none
 uniform int bpFiner;      // texels along each side of a pixel
+uniform int bpOver;       // 1: blended over what is there, by coverage
+uniform ivec2 bpCorner;   // of the picture, in the framebuffer
 
 void main()
 {
-  ivec2 at = ivec2(gl_FragCoord.xy) * bpFiner;
+  ivec2 at = (ivec2(gl_FragCoord.xy) - bpCorner) * bpFiner;
   vec4 sum = vec4(0.0f);
   for (int y = 0; y < bpFiner; ++y)
   {
@@ -17,6 +19,7 @@ void main()
   }
   vec4 mean = sum * (bpScale / float(bpFiner * bpFiner));
   if (bpBeforeScale > 0.0f) { mean += bpBeforeScale * texelFetch(bpBefore, at, 0); }
-  gl_FragData[0] = vec4(bpOutput(mean.rgb), mean.a);
+  gl_FragData[0] = bpOver == 1 ? mean.a * vec4(bpOutput(mean.rgb / max(mean.a, 1.0e-4f)), 1.0f)
+                               : vec4(bpOutput(mean.rgb), mean.a);
   gl_FragDepth = texelFetch(bpDepth, at, 0).r;
 }

@@ -46,9 +46,27 @@ TEST_F(Refine, WritesAPictureAndSaysWhatIsLeft) {
   EXPECT_EQ(percent.err.find("not reached"), std::string::npos) << percent.err;
 }
 
+TEST_F(Refine, SaysWhatItReachedOfAPercentageThatCannotBe) {
+  const Outcome outcome = render("out.png", {"--refine=0.0001%", "--size", "24x14", "--set", "probes.room.faceSize=16",
+                                             "--set", "materials.floor.roughness=0.6"});
+  ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("refined by 16384 rays a pixel, an estimated "));
+  ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("--refine=0.0001 %: not reached; after 16384 rays a pixel, the most there are"));
+}
+
+TEST_F(Refine, SaysThatAViewOfARealtimeProbeNeverRests) {
+  const Outcome outcome = render("out.png", {"--refine=16", "--set", "probes.room.mode=realtime", "--set",
+                                             "materials.floor.roughness=0.3", "--set", "probes.room.faceSize=32"});
+  ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("refined by 16 rays a pixel"));
+  ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("room is realtime, so that a window never rests"));
+}
+
 TEST_F(Refine, RefusesWhatItCannotDoInOneLine) {
-  for (const char* option : {"--refine=0", "--refine=1000000000", "--refine=-4", "--refine=2.5", "--refine=0%",
-                             "--refine=100%", "--refine=many", "--refine=%", "--refine=nan%"}) {
+  for (const char* option : {"--refine=0", "--refine=1000000000", "--refine=1e9", "--refine=-4", "--refine=2.5",
+                             "--refine=0%", "--refine=100%", "--refine=many", "--refine=%", "--refine=nan%"}) {
     const Outcome outcome = render("out.png", {option});
     EXPECT_EQ(outcome.exitStatus, 2) << option;
     ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;

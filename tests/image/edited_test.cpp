@@ -185,6 +185,36 @@ TEST(Edited, EveryOtherFieldShowsWhatAFreshStartShows) {
   EXPECT_GE(found.recaptured, 25);
 }
 
+// Reflections within reflections: a second bounce shows the first one's by box, weight and technique. Without a sky, of
+// whose light boxes leave a share to a first capture.
+TEST(Edited, BouncesFollowBoxesAndTechniques) {
+  OddRoom room = oddRoom();
+  room.scene.sky = SkyColor{};
+  for (Probe& probe : room.scene.probes) probe.bounces = 2;
+  std::vector<FieldRow<Probe>> rows;
+  for (const FieldRow<Probe>& row : probeFields()) {
+    for (const auto kind : {&Changes::probeShape, &Changes::probeTechnique}) {
+      if (std::find(row.changes.begin(), row.changes.end(), kind) != row.changes.end()) rows.push_back(row);
+    }
+  }
+  ASSERT_GE(rows.size(), 10u);
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < room.scene.probes.size(); ++i) {
+    addSteps<Probe>(
+        steps, "probe " + room.scene.probes[i].name, room.scene, everyNth(rows, room.scene.probes.size(), i),
+        [i](Scene& s) -> Probe& { return s.probes[i]; }, [](const auto& row) { return valueOfKind(row.kind); });
+  }
+  for (const char* technique : {"sphere", "box+footprint4"}) {
+    Step step{std::string("technique ") + technique, room.scene};
+    step.scene.probes[0].technique = technique;
+    steps.push_back(std::move(step));
+  }
+  EXPECT_GE(steps.size(), 10u);
+  const Found found = expectFresh(room, steps);
+  EXPECT_GE(found.visible, 5);
+  EXPECT_GE(found.recaptured, 2) << "captures that an edit of a box or technique makes others";
+}
+
 // Filtered with other samples: each level of the chain, whichever way the probe comes to its maps.
 TEST(Edited, FilterSamplesCountInEveryMode) {
   for (const ProbeMode mode : {ProbeMode::Baked, ProbeMode::Realtime, ProbeMode::Custom}) {

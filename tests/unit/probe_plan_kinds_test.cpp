@@ -49,11 +49,12 @@ TEST_F(PlannedFiles, AFileIsReadInPlaceOfAllBouncesOfItsProbe) {
   const Box elsewhere{{8, 8, 8}, {9, 9, 9}};
   world.scene.probes[0].influence = elsewhere;
   world.update();
-  EXPECT_THAT(world.jobs(), ElementsAre("file", "file:right")) << "left is not used";
+  EXPECT_THAT(world.jobs(), ElementsAre("file", "bounce:right1", "bounce:right2", "bounce:right3"))
+      << "left is not used, whose light its bounces had when it was baked";
   world.scene.probes[0].influence.reset();
   world.scene.probes[1].influence = elsewhere;
   world.update();
-  EXPECT_THAT(world.jobs(), ElementsAre("file", "file:left")) << "as the boxes were when it was baked";
+  EXPECT_THAT(world.jobs(), ElementsAre("file", "bounce:left1", "bounce:left2", "bounce:left3"));
   world.scene.probes[1].influence.reset();
   world.update();
   EXPECT_THAT(world.jobs(), ElementsAre("file", "file:left", "file:right"));

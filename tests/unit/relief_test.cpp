@@ -158,6 +158,27 @@ TEST(Relief, NoRayTakesMoreStepsThanAsked) {
   }
 }
 
+// What an octahedron's two coordinates of 12 bits lose of a direction, wherever it points: half a cell's diagonal,
+// which the octahedron's slant makes longer by at most the root of three.
+TEST(Relief, FarDirectionsComeBack) {
+  const double allowed = std::sqrt(2.0) / 4096.0 * std::sqrt(3.0);
+  std::mt19937 random(23);
+  std::normal_distribution<float> component;
+  double worst = 0.0;
+  for (int i = 0; i < 30000; ++i) {
+    // Every third lies near a plane between octants, where the lower half's fold changes its sign.
+    vec3 along(component(random), component(random), component(random));
+    if (i % 3 == 0) along[i / 3 % 3] *= 0.03f;
+    along = glm::normalize(along);
+    const vec3 back = glm::normalize(shading::reliefDirection(Relief::farCode(along)));
+    const double angle = std::asin(std::min(1.0, double(glm::length(glm::cross(along, back)))));
+    worst = std::max(worst, angle);
+    ASSERT_GT(glm::dot(along, back), 0.0f) << along.x << " " << along.y << " " << along.z;
+    ASSERT_LE(angle, allowed) << along.x << " " << along.y << " " << along.z;
+  }
+  EXPECT_GT(worst, 0.3 * allowed) << "so few bits lose something";
+}
+
 // Faces of few texels, and a map that saw nothing.
 TEST(Relief, SmallAndEmptyMaps) {
   for (const int size : {1, 2, 4}) {

@@ -45,7 +45,11 @@ PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, View
                                       [this](bool refined) {
                                         RefineSettings settings;
                                         if (refined) settings.rays = RefineSettings::kRays;
-                                        guarded([&] { renderer_.refine(settings); });
+                                        guarded([&] {
+                                          renderer_.refine(settings);
+                                          // Given back in what moves, where smaller texels cost more and show nothing.
+                                          renderer_.sharpenMirrors(refined ? viewport_.window3d()->GetSize()[1] : 0);
+                                        });
                                       }},
                                      this)) {
   rest_.setSingleShot(true);

@@ -69,6 +69,7 @@ void ProbeExporter::ask() {
 void ProbeExporter::start(const ExportSettings& settings, const QString& folder) {
   if (running_) return;
   emit ownSceneWanted();
+  renderer_.sharpenMirrors(0);  // what is exported is of the scene's own size
   captures_.clear();
   unfinished_.clear();
   const auto& probes = document_.scene().probes;

@@ -1,6 +1,7 @@
 #include "filters/vtk/actors/actor_parts.h"
 
 #include <vtkAssemblyPath.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -161,7 +162,8 @@ ActorParts::ActorParts(vtkRenderer* shown)
     : renderer(shown != nullptr ? vtkSmartPointer<vtkRenderer>(shown) : vtkSmartPointer<vtkRenderer>::New()),
       nothing(shown == nullptr),
       state(std::make_shared<DrawState>()),
-      probes(&content, state, &captured) {
+      probes(&content, state, &captured),
+      frames(renderer, state, &content, [this] { return picturedProps(); }) {
   state->resources.foreign = true;
   state->resources.tone = Tone::AsVtk;
   state->resources.emission = false;
@@ -173,7 +175,7 @@ ActorParts::ActorParts(vtkRenderer* shown)
   observer->SetClientData(this);
   observer->SetCallback([](vtkObject* caller, unsigned long event, void* client, void*) {
     auto* all = static_cast<ActorParts*>(client);
-    event == vtkCommand::StartEvent ? all->starts(caller) : all->endFrame();
+    event == vtkCommand::StartEvent ? all->starts(caller) : all->endFrame(caller);
     if (event == vtkCommand::EndEvent && caller == all->renderer && all->afterFrame) all->afterFrame();
   });
   refreshSky();
@@ -239,6 +241,7 @@ void ActorParts::ready() {
     release();
     window = shownIn;
     probes.baker().setWindow(window);
+    frames.setWindow(window);
     const auto watch = vtkSmartPointer<ContextWatch>::New();
     watch->Lost = [this] { release(); };
     watch->SetContext(window);
@@ -257,6 +260,8 @@ void ActorParts::beginFrame(vtkRenderer* drawn) {
     for (DrawnObject& object : content.objects) object.pass->Rebuild();
     return;
   }
+  // A selector's colours are no picture.
+  const bool selecting = drawn->GetSelector() != nullptr;
   vtkOpenGLState* gl = window->GetState();
   seamlessBefore = gl->GetEnumState(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   gl->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
@@ -266,10 +271,110 @@ void ActorParts::beginFrame(vtkRenderer* drawn) {
     place();
     assign();
   }
+  if (refineTo.rays > 0) {
+    if (drawn == renderer && !selecting) {
+      followPicture();
+    } else if (refining && (selecting || showsAny(drawn))) {
+      frames.dropRays();
+    }
+  }
   for (DrawnObject& object : content.objects) object.pass->RebuildIfPlain();
 }
 
-void ActorParts::endFrame() {
+// A picture that differs from the last is drawn as the techniques draw it, and refined once somebody asks again.
+void ActorParts::followPicture() {
+  std::string now = pictureKey();
+  if (now != pictureShown) {
+    pictureShown = std::move(now);
+    ++pictures;
+    stopRefining();
+  }
+  if (refining) frames.beginFrame(false, working);
+}
+
+void ActorParts::stopRefining() {
+  if (!refining) return;
+  refining = false;
+  frames.refine({});
+}
+
+bool ActorParts::showsAny(vtkRenderer* drawn) const {
+  return std::any_of(content.objects.begin(), content.objects.end(), [&](const DrawnObject& object) {
+    const auto part = parts.find(object.actor);
+    vtkProp* prop = part != parts.end() ? part->second.owner : object.actor.Get();
+    return drawn->HasViewProp(prop) != 0;
+  });
+}
+
+std::vector<vtkProp*> ActorParts::picturedProps() const {
+  // Other curves than these two have no inverse, so what is not lit by them is drawn over the picture.
+  const bool all = state->resources.tone == Tone::AsVtk || state->resources.tone == Tone::None;
+  std::vector<vtkProp*> props;
+  std::set<vtkProp*> taken;
+  for (const DrawnObject& object : content.objects) {
+    if (!all && !shadedPhysically(object.actor)) continue;
+    const auto part = parts.find(object.actor);
+    vtkProp* prop = part != parts.end() ? part->second.owner : object.actor.Get();
+    if (taken.insert(prop).second) props.push_back(prop);
+  }
+  return props;
+}
+
+std::string ActorParts::refusedRefinement() const {
+  const bool peels = renderer->GetUseDepthPeeling() != 0 &&
+                     std::any_of(content.objects.begin(), content.objects.end(), [](const DrawnObject& object) {
+                       return object.actor->HasTranslucentPolygonalGeometry() != 0;
+                     });
+  const char* what = renderer->GetPass() != nullptr ? "a render pass of its own"
+                     : renderer->GetUseSSAO()       ? "ambient occlusion (UseSSAO)"
+                     : renderer->GetUseFXAA()       ? "smoothed edges (UseFXAA)"
+                     : renderer->GetUseShadows()    ? "shadows (UseShadows)"
+                     : peels                        ? "peeled layers (UseDepthPeeling)"
+                                                    : nullptr;
+  return what == nullptr ? std::string()
+                         : std::string("the picture is not refined: its renderer has ") + what +
+                               ", which the averaged frames would go without";
+}
+
+std::string ActorParts::pictureKey() const {
+  ContentHash hash;
+  for (const DrawnObject& object : content.objects) {
+    vtkActor* actor = object.actor;
+    const auto part = parts.find(actor);
+    const bool shown = actor->GetVisibility() != 0 && (part == parts.end() || part->second.owner->GetVisibility() != 0);
+    hash.add(shown ? drawnKey(object) : std::string());
+  }
+  hash.add(lightsKey()).add(static_cast<double>(skies)).add(static_cast<double>(state->resources.tone));
+  vtkCamera* camera = renderer->GetActiveCamera();
+  hash.addBytes(camera->GetModelViewTransformMatrix()->GetData(), 16 * sizeof(double));
+  // Of any clipping distances: they follow what is added to the renderer, and change no colour.
+  hash.addBytes(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
+                2 * sizeof(double) * 4);
+  int size[4] = {0, 0, 0, 0};
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &size[2], &size[3]);
+  hash.addBytes(size, sizeof size).add(static_cast<double>(window->GetMultiSamples()));
+  hash.add(static_cast<double>(probeChanges));
+  return hash.text();
+}
+
+bool ActorParts::refineStep() {
+  auto* shownIn = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (refineTo.rays <= 0 || shownIn == nullptr || waitsForContext(shownIn) || shownIn->CheckInRenderStatus() != 0) {
+    return false;
+  }
+  if (!refining) {
+    if (!refusedRefinement().empty()) return false;
+    refining = true;
+    frames.refine(refineTo);
+  }
+  shownIn->Render();
+  // Something else was to be shown: that frame is the first of another picture, unless no two are alike.
+  restless = refining ? 0 : restless + 1;
+  return refining ? working || frames.count().more() : restless < 2;
+}
+
+void ActorParts::endFrame(vtkObject* caller) {
+  if (caller == renderer) frames.endFrame();
   if (state->drawing == renderer) remarkUnasked();
   state->bound.clear();
   if (!seamlessBefore && state->drawing != nullptr && window != nullptr)
@@ -336,9 +441,11 @@ void ActorParts::probesChanged(const ProbeEntries::Origins& origins) {
   probes.updateShapes(origins);
   planned.reset();
   assigned = false;
+  ++probeChanges;
 }
 
 void ActorParts::probesChanged() {
+  ++probeChanges;
   probes.binder().updateShapes();
   planned.reset();
   assigned = false;
@@ -498,14 +605,19 @@ void ActorParts::remarkUnasked() {
 
 // Empty if captures do not show the object.
 std::string ActorParts::objectKey(const DrawnObject& object) const {
+  if (!object.settings.seenByProbes || object.actor->GetVisibility() == 0) return {};
+  const auto part = parts.find(object.actor);
+  if (part != parts.end() && part->second.owner->GetVisibility() == 0) return {};
+  return drawnKey(object);
+}
+
+std::string ActorParts::drawnKey(const DrawnObject& object) const {
   vtkActor* actor = object.actor;
-  if (!object.settings.seenByProbes || actor->GetVisibility() == 0) return {};
   ContentHash hash;
   addAddress(hash, actor);
   const auto part = parts.find(actor);
   if (part != parts.end()) {
     addNumbers(hash, part->second.matrix.data(), 16);
-    if (part->second.owner->GetVisibility() == 0) return {};
   } else {
     addNumbers(hash, actor->GetMatrix()->GetData(), 16);
   }
@@ -654,8 +766,13 @@ void ActorParts::release() {
   if (window == nullptr) return;
   static_cast<ContextWatch*>(contextWatch.Get())->Lost = nullptr;
   window->MakeCurrent();
+  refining = false;
+  pictureShown.clear();
+  frames.refine({});
+  frames.release();
   probes.release();
   probes.baker().setWindow(nullptr);
+  frames.setWindow(nullptr);
   content.sky->ReleaseGraphicsResources(window);
   lightSky->ReleaseGraphicsResources(window);
   releaseStaticTextures(state->resources);

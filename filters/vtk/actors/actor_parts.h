@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "filters/vtk/actors/surroundings.h"
+#include "filters/vtk/frame/picture_frames.h"
 #include "filters/vtk/probes/probe_set.h"
 #include "filters/vtk/scene/scene_content.h"
 #include "filters/vtk/surface/vtkProbePass.h"
@@ -52,7 +53,10 @@ struct ActorParts {
   void ready();
   void starts(vtkObject* caller);
   void beginFrame(vtkRenderer* drawn);
-  void endFrame();
+  void endFrame(vtkObject* caller);
+  void followPicture();
+  void stopRefining();
+  bool showsAny(vtkRenderer* drawn) const;
   void observeWindow();
   void place();
   void assign();
@@ -64,6 +68,7 @@ struct ActorParts {
   void setCaptureLights();
   ShownContent shownContent();
   std::string objectKey(const DrawnObject& object) const;
+  std::string drawnKey(const DrawnObject& object) const;
   std::string lightsKey() const;
   CaptureInputs captureInputs();
   void clipCaptures();
@@ -80,6 +85,15 @@ struct ActorParts {
   /// Drops work in progress, which stays stale.
   void dropWork();
   void release();
+
+  /// Everything that the next frame of the renderer depends on.
+  std::string pictureKey() const;
+  /// The props that a refined picture consists of.
+  std::vector<vtkProp*> picturedProps() const;
+  /// Why the renderer's picture cannot be refined; empty: it can.
+  std::string refusedRefinement() const;
+  /// Draws a frame of a refined picture. True if there are more.
+  bool refineStep();
 
   std::size_t indexOf(vtkActor* actor) const {
     const auto& all = content.objects;
@@ -100,7 +114,14 @@ struct ActorParts {
   SceneContent content;  ///< its scene holds probes and sky; its objects represent the actors
   Scene captured;        ///< its probes as captured: their state when captures were planned, with clipping distances
   ProbeSet probes;
-  bool assigned = false;                   ///< all objects, to the current probes
+  PictureFrames frames;
+  RefineSettings refineTo;     ///< what refineStep() goes to; no rays: nothing is refined, and nothing is compared
+  bool refining = false;       ///< until the picture changes
+  int restless = 0;            ///< refineStep()'s last frames that showed something else each time
+  std::uint64_t pictures = 0;  ///< counts pictures that show another scene, or from elsewhere
+  std::string pictureShown;    ///< pictureKey() of the last
+  int probeChanges = 0;        ///< counts changes of boxes, techniques and the like
+  bool assigned = false;       ///< all objects, to the current probes
   std::map<vtkActor*, int> framesWithout;  ///< that should have drawn it, but in which nothing asked for its pass
   std::map<vtkProp*, ActorPlace> parts;
   /// Near distances found so far, in the order of the probes: a dragged box keeps its distance, and so its maps.

@@ -229,6 +229,41 @@ std::shared_ptr<const ProbeMaps> ActorProbes::maps(std::size_t index) const {
   return index < probes().size() ? parts_->probes.maps(index) : nullptr;
 }
 
+void ActorProbes::setRefinement(const RefineSettings& settings) {
+  if (settings == parts_->refineTo) return;
+  parts_->refineTo = settings;
+  parts_->stopRefining();
+  if (settings.rays <= 0) parts_->pictureShown.clear();
+}
+
+bool ActorProbes::refineStep() {
+  return parts_->refineStep();
+}
+
+std::uint64_t ActorProbes::pictures() const {
+  return parts_->pictures;
+}
+
+bool ActorProbes::refining() const {
+  return parts_->refining;
+}
+
+RefineState ActorProbes::refineState() const {
+  if (!parts_->refining) return {};
+  const Refinement& stages = parts_->frames.refinement();
+  return {stages.raysDone(), parts_->frames.count().more(), stages.left()};
+}
+
+double ActorProbes::refineProgress() const {
+  if (!parts_->refining) return 0.0;
+  const FrameCount count = parts_->frames.count();
+  return count.more() ? static_cast<double>(count.averaged) / count.wanted : parts_->working ? 0.0 : 1.0;
+}
+
+std::string ActorProbes::refusedRefinement() const {
+  return parts_->refusedRefinement();
+}
+
 const std::string& ActorProbes::error() const {
   return parts_->state->counts.error;
 }

@@ -13,6 +13,7 @@
 // captures changes by itself. Prefer it in new programs.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -21,6 +22,7 @@
 
 #include "filters/core/base/export.h"
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/frame/refinement.h"
 
 class vtkActor;
 class vtkRenderer;
@@ -103,6 +105,24 @@ class BOXPROBE_EXPORT ActorProbes {
   /// the same OpenGL context.
   void setMaps(std::size_t index, const BakedMaps& maps);
   void setMaps(std::size_t index, std::shared_ptr<const ProbeMaps> maps);
+  /// What refineStep() goes to: for a view that rests. No rays (default): nothing is refined, and no frame is compared
+  /// with the one before.
+  void setRefinement(const RefineSettings& settings);
+  /// Draws the window's next frame as a refined picture: rays of the whole lobe in place of the techniques, a few a
+  /// pixel and frame, averaged in linear light (filters/vtk/README.md). Returns whether there are further frames. Any
+  /// frame that shows something else, or from elsewhere, is the techniques' own again. False, with nothing drawn, if
+  /// nothing is asked for, inside a frame, and if the renderer has a pass, smoothing, shadows or peeled layers of
+  /// VTK's.
+  bool refineStep();
+  /// Counts pictures that show something else than the one before, or from elsewhere.
+  std::uint64_t pictures() const;
+  /// Is the last picture refined?
+  bool refining() const;
+  RefineState refineState() const;
+  /// Of refineStep()'s frames: 0 to 1, 1 at the end.
+  double refineProgress() const;
+  /// Empty, or one line: why refineStep() refuses this renderer.
+  std::string refusedRefinement() const;
   /// Null before the first capture.
   std::shared_ptr<const ProbeMaps> maps(std::size_t index) const;
 

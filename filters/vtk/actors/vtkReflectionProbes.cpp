@@ -2,11 +2,14 @@
 
 #include <vtkActor.h>
 #include <vtkAssemblyPath.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCollectionIterator.h>
 #include <vtkCommand.h>
 #include <vtkObjectFactory.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkSkybox.h>
 #include <vtkSmartPointer.h>
@@ -51,6 +54,14 @@ struct vtkReflectionProbes::Parts {
   std::set<std::string> remarked;        ///< warnings that were passed on
   bool capturing = false, busy = false;  ///< between StartEvent and EndEvent; inside a call that draws
 
+  boxprobe::RefineSettings refineTo;
+  std::uint64_t picture = 0;  ///< the last that was drawn
+  bool ended = false;         ///< that one is refined, and EndRefineEvent invoked
+  bool refused = false;       ///< the renderer's picture cannot be refined, and that was said
+  vtkWeakPointer<vtkRenderWindowInteractor> interactor;  ///< whose timers are heard
+  vtkNew<vtkCallbackCommand> timerCall;
+  int timer = 0;  ///< 0: none runs
+
   const Wish* wish(vtkProp* prop) const {
     const auto at = wishes.find(prop);
     return at != wishes.end() && at->second.prop.GetPointer() == prop ? &at->second : nullptr;
@@ -69,9 +80,19 @@ struct vtkReflectionProbes::Parts {
   }
 };
 
-vtkReflectionProbes::vtkReflectionProbes() : Inside(std::make_unique<Parts>()) {}
+vtkReflectionProbes::vtkReflectionProbes() : Inside(std::make_unique<Parts>()) {
+  this->Inside->timerCall->SetClientData(this);
+  this->Inside->timerCall->SetCallback([](vtkObject*, unsigned long, void* client, void* data) {
+    static_cast<vtkReflectionProbes*>(client)->OnTimer(data != nullptr ? *static_cast<int*>(data) : 0);
+  });
+}
 
-vtkReflectionProbes::~vtkReflectionProbes() = default;
+vtkReflectionProbes::~vtkReflectionProbes() {
+  this->DropTimer();
+  if (this->Inside->interactor != nullptr) {
+    this->Inside->interactor->RemoveObserver(this->Inside->timerCall);
+  }
+}
 
 vtkMTimeType vtkReflectionProbes::GetMTime() {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -86,6 +107,10 @@ void vtkReflectionProbes::SetRenderer(vtkRenderer* renderer) {
   if (renderer == in.renderer) {
     return;
   }
+  this->DropTimer();
+  in.refineTo = {};
+  in.picture = 0;
+  in.ended = in.refused = false;
   in.actors.reset();
   in.shown.clear();
   for (Parts::Entry& entry : in.entries) {
@@ -99,7 +124,7 @@ void vtkReflectionProbes::SetRenderer(vtkRenderer* renderer) {
   in.reported.clear();
   if (renderer != nullptr) {
     in.actors = std::make_unique<boxprobe::ActorProbes>(renderer);
-    in.actors->setFrameCalls([this] { this->BeforeFrame(); }, [this] { this->Report(); });
+    in.actors->setFrameCalls([this] { this->BeforeFrame(); }, [this] { this->AfterFrame(); });
     in.actors->setProgress([this](double done) { this->InvokeEvent(vtkCommand::ProgressEvent, &done); });
   }
   this->Modified();
@@ -293,6 +318,16 @@ void vtkReflectionProbes::Sync() {
     in.scattering = this->MultipleScattering;
     in.actors->setEnergy(in.scattering ? boxprobe::Energy::Multiple : boxprobe::Energy::Single);
   }
+  boxprobe::RefineSettings to;
+  if (this->RefineAtRest) {
+    to.rays = this->RefineRays;
+    to.seconds = this->RefineSeconds;
+  }
+  if (!(to == in.refineTo)) {
+    in.refineTo = to;
+    in.ended = false;
+    in.actors->setRefinement(to);
+  }
   this->SyncProbes();
   this->SyncActors();
 }
@@ -427,6 +462,118 @@ void vtkReflectionProbes::BeforeFrame() {
   }
 }
 
+void vtkReflectionProbes::SetRefineAtRest(bool refine) {
+  if (refine == this->RefineAtRest) {
+    return;
+  }
+  this->RefineAtRest = refine;
+  this->Inside->refused = false;
+  if (!refine) {
+    this->DropTimer();
+  }
+  this->Sync();
+  this->Modified();
+}
+
+bool vtkReflectionProbes::RefineStep() {
+  Parts& in = *this->Inside;
+  if (!this->Ready("RefineStep") || in.busy || !this->RefineAtRest) {
+    return false;
+  }
+  this->Sync();
+  const std::string refused = in.actors->refusedRefinement();
+  if (!refused.empty()) {
+    if (!in.refused) {
+      vtkWarningMacro(<< refused);
+    }
+    in.refused = true;
+    return false;
+  }
+  const bool more = in.actors->refineStep();
+  if (!more && in.actors->refining() && !in.ended) {
+    in.ended = true;
+    this->InvokeEvent(EndRefineEvent);
+  }
+  return more;
+}
+
+bool vtkReflectionProbes::GetRefining() const {
+  return this->Inside->actors && this->Inside->actors->refining();
+}
+
+double vtkReflectionProbes::GetRefineProgress() const {
+  return this->Inside->actors ? this->Inside->actors->refineProgress() : 0.0;
+}
+
+double vtkReflectionProbes::GetRefineLeft() const {
+  return this->Inside->actors ? this->Inside->actors->refineState().left : -1.0;
+}
+
+// Another picture than before is left to rest first.
+void vtkReflectionProbes::AfterFrame() {
+  Parts& in = *this->Inside;
+  this->Report();
+  if (!this->RefineAtRest || in.actors->pictures() == in.picture) {
+    return;
+  }
+  in.picture = in.actors->pictures();
+  in.ended = false;
+  this->SetTimer(this->RefineDelay);
+}
+
+void vtkReflectionProbes::FollowInteractor() {
+  Parts& in = *this->Inside;
+  vtkRenderWindow* window = in.renderer != nullptr ? in.renderer->GetRenderWindow() : nullptr;
+  vtkRenderWindowInteractor* now = window != nullptr ? window->GetInteractor() : nullptr;
+  if (now == in.interactor.GetPointer()) {
+    return;
+  }
+  if (in.interactor != nullptr) {
+    in.interactor->RemoveObserver(in.timerCall);
+  }
+  in.timer = 0;
+  in.interactor = now;
+  if (now != nullptr) {
+    now->AddObserver(vtkCommand::TimerEvent, in.timerCall);
+  }
+}
+
+void vtkReflectionProbes::SetTimer(double seconds) {
+  Parts& in = *this->Inside;
+  this->FollowInteractor();
+  this->DropTimer();
+  if (in.interactor != nullptr && in.interactor->GetInitialized()) {
+    in.timer = in.interactor->CreateOneShotTimer(std::max(1ul, static_cast<unsigned long>(1000.0 * seconds)));
+  }
+}
+
+void vtkReflectionProbes::DropTimer() {
+  Parts& in = *this->Inside;
+  if (in.timer != 0 && in.interactor != nullptr) {
+    in.interactor->DestroyTimer(in.timer);
+  }
+  in.timer = 0;
+}
+
+// Each step takes a turn of the interactor's own loop, so that what the user does comes in between.
+void vtkReflectionProbes::OnTimer(int timer) {
+  constexpr double kBetween = 0.005;
+  Parts& in = *this->Inside;
+  if (in.timer == 0 || timer != in.timer) {
+    return;
+  }
+  this->DropTimer();
+  if (!this->RefineAtRest) {
+    return;
+  }
+  // Events may come in the middle of a capture, from an observer of its progress.
+  if (in.busy) {
+    this->SetTimer(this->RefineDelay);
+  } else if (this->RefineStep() && in.timer == 0) {
+    this->SetTimer(kBetween);
+  }
+}
+
 bool vtkReflectionProbes::LoadMaps(vtkReflectionProbe* probe, const char* file) {
   Parts& in = *this->Inside;
   if (!this->Ready("LoadMaps")) {
@@ -485,6 +632,10 @@ void vtkReflectionProbes::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "ToneMapping: " << this->ToneMapping << "\n";
   os << indent << "Emission: " << this->Emission << "\n";
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
+  os << indent << "RefineAtRest: " << this->RefineAtRest << "\n";
+  os << indent << "RefineRays: " << this->RefineRays << "\n";
+  os << indent << "RefineSeconds: " << this->RefineSeconds << "\n";
+  os << indent << "RefineDelay: " << this->RefineDelay << "\n";
   os << indent << "LastError: " << in.lastError << "\n";
   os << indent << "Actors: " << in.shown.size() << "\n";
   os << indent << "Probes: " << in.entries.size() << "\n";

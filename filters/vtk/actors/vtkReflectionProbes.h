@@ -20,14 +20,19 @@
  * recaptures those, unless AutoUpdate is off. A changed box or technique needs no capture. Lights that follow the
  * camera are captured at its current position; moving the camera makes nothing stale.
  *
- * Events: StartEvent before and EndEvent after captures, ProgressEvent (double*, 0 to 1) between them, ErrorEvent and
- * WarningEvent with one line. An actor named in an error is drawn without reflections; nothing throws. An actor is lit
- * by one object; other renderers of the window that show it draw the same reflections with their own cameras.
+ * With RefineAtRest a picture that rests goes on to the truth, in steps, and is the technique's own again as soon as
+ * anything moves.
+ *
+ * Events: StartEvent before and EndEvent after captures, ProgressEvent (double*, 0 to 1) between them, EndRefineEvent
+ * when a refined picture is complete, ErrorEvent and WarningEvent with one line. An actor named in an error is drawn
+ * without reflections; nothing throws. An actor is lit by one object; other renderers of the window that show it draw
+ * the same reflections with their own cameras.
  *
  * Use it in the thread of the window's OpenGL context.
  */
 #pragma once
 
+#include <vtkCommand.h>
 #include <vtkObject.h>
 
 #include <memory>
@@ -124,6 +129,45 @@ class BOXPROBE_EXPORT vtkReflectionProbes : public vtkObject {
   vtkBooleanMacro(MultipleScattering, bool)
   ///@}
 
+  enum Events { EndRefineEvent = vtkCommand::UserEvent + 52 };
+  ///@{
+  /** On: a view that rests is refined by rays of the whole lobe, whatever the techniques are, at most 8 a pixel and
+   * frame, until RefineRays or RefineSeconds ends it or further changes would not show; then EndRefineEvent is invoked.
+   * A Render() that shows anything else, or from elsewhere, draws the techniques' own picture. Steps come from timers of
+   * the window's interactor, RefineDelay after the last change; programs without one call RefineStep(). Actors are drawn
+   * into float targets for it, at the window's samples per pixel; props without probes are drawn over them. Off by
+   * default. */
+  void SetRefineAtRest(bool refine);
+  vtkGetMacro(RefineAtRest, bool)
+  vtkBooleanMacro(RefineAtRest, bool)
+  ///@}
+  ///@{
+  /** Per pixel, 1 to 16384. 256 by default, which ends about .02 of its value off the integral over a lobe. */
+  vtkSetClampMacro(RefineRays, int, 1, 16384)
+  vtkGetMacro(RefineRays, int)
+  ///@}
+  ///@{
+  /** Longest time from the first refined frame on, in seconds; the picture stays as good as it is then. 0 (default): no
+   * limit. */
+  vtkSetClampMacro(RefineSeconds, double, 0.0, VTK_DOUBLE_MAX)
+  vtkGetMacro(RefineSeconds, double)
+  ///@}
+  ///@{
+  /** Seconds without a change after which the interactor's timer begins. 0.5 by default. */
+  vtkSetClampMacro(RefineDelay, double, 0.0, 3600.0)
+  vtkGetMacro(RefineDelay, double)
+  ///@}
+  /** Renders the window once, one step further on the way to the refined picture. True if there are more. False also
+   * without RefineAtRest, and where the renderer has a pass of its own, UseSSAO, UseFXAA, UseShadows or peeled layers,
+   * which is a warning. */
+  bool RefineStep();
+  /** Is the window's picture refined? */
+  bool GetRefining() const;
+  /** 0 to 1; 1 at the end. */
+  double GetRefineProgress() const;
+  /** The relative error that is estimated to be left, of what rays can change; negative: unknown. */
+  double GetRefineLeft() const;
+
   /** Uses a file of `boxprobe bake` in place of captures of the probe, until ForgetMaps(). False on failure: see
    * GetLastError(). */
   bool LoadMaps(vtkReflectionProbe* probe, const char* file);
@@ -149,6 +193,10 @@ class BOXPROBE_EXPORT vtkReflectionProbes : public vtkObject {
   int ToneMapping = TONE_AS_VTK;
   bool Emission = false;
   bool MultipleScattering = false;
+  bool RefineAtRest = false;
+  int RefineRays = 256;
+  double RefineSeconds = 0.0;
+  double RefineDelay = 0.5;
 
  private:
   vtkReflectionProbes(const vtkReflectionProbes&) = delete;
@@ -162,6 +210,11 @@ class BOXPROBE_EXPORT vtkReflectionProbes : public vtkObject {
   void Report();
   void Fail(const std::string& line);
   void Finish(bool done);
+  void AfterFrame();
+  void FollowInteractor();
+  void SetTimer(double seconds);
+  void DropTimer();
+  void OnTimer(int timer);
 
   struct Parts;
   std::unique_ptr<Parts> Inside;

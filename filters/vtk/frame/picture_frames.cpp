@@ -27,7 +27,20 @@ int raysWorth(const Technique& technique) {
 
 PictureFrames::PictureFrames(vtkOpenGLRenderWindow* window, vtkCulledRenderer* renderer,
                              std::shared_ptr<DrawState> state, const SceneContent* content)
-    : window_(window), renderer_(renderer), state_(std::move(state)), content_(content) {}
+    : window_(window),
+      renderer_(renderer),
+      state_(std::move(state)),
+      content_(content),
+      props_([content, renderer] {
+        std::vector<vtkProp*> props = content->shownProps(renderer);
+        props.push_back(content->sky);
+        return props;
+      }),
+      sky_(content->sky) {}
+
+PictureFrames::PictureFrames(vtkRenderer* renderer, std::shared_ptr<DrawState> state, const SceneContent* content,
+                             std::function<std::vector<vtkProp*>()> props)
+    : window_(nullptr), renderer_(renderer), state_(std::move(state)), content_(content), props_(std::move(props)) {}
 
 bool PictureFrames::Key::operator==(const Key& o) const {
   return generation == o.generation && camera == o.camera && size == o.size &&
@@ -77,6 +90,7 @@ FrameCount PictureFrames::count() const {
     count.wanted = stages_.framesInAll();
     count.averaged =
         guessing_ ? screen_->GetFrames() : stages_.framesBefore() + (stages_.more() ? screen_->GetFrames() : 0);
+    if (stopped_) count.wanted = count.averaged;
     return count;
   }
   count.wanted = plain_ ? 0 : wanted();
@@ -94,8 +108,13 @@ PictureFrames::Key PictureFrames::key() const {
   key.camera[9] = camera->GetViewAngle();
   key.camera[10] = camera->GetParallelProjection();
   key.camera[11] = camera->GetParallelScale();
-  const int* size = window_->GetSize();
-  key.size = {size[0], size[1], window_->GetMultiSamples()};
+  if (sky_ != nullptr) {
+    const int* size = window_->GetSize();
+    key.size = {size[0], size[1], window_->GetMultiSamples(), 0, 0};
+  } else {
+    renderer_->GetTiledSizeAndOrigin(&key.size[0], &key.size[1], &key.size[3], &key.size[4]);
+    key.size[2] = window_->GetMultiSamples();
+  }
   for (const DrawnObject& object : content_->objects) {
     if (!object.settings.visible) continue;
     // The binding that was set, not the one drawn: a cheaper picture in between does not invalidate this one.
@@ -151,15 +170,27 @@ void PictureFrames::beginRefinement(vtkPicturePass* pass, const RefineSettings& 
   const int worth = firstGuess();
   stages_.begin(worth > 0 ? settings : RefineSettings{}, worth);
   guessing_ = true;
+  stopped_ = false;
+  begun_ = std::chrono::steady_clock::now();
   setRays({});
   pass->Restart();
   pass->Limit = 1;
   pass->Share = [this](int frames) { return stages_.share(frames); };
 }
 
+bool PictureFrames::outOfTime() const {
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begun_;
+  return stages_.settings().seconds > 0.0 && since.count() > stages_.settings().seconds;
+}
+
 // Decides, before a frame, what it draws. False if there is nothing to add.
 bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
   const int frames = pass->GetFrames();
+  if (frames > 0 && stages_.more() && outOfTime()) stopped_ = true;
+  if (stopped_) {
+    pass->Limit = frames;
+    return false;
+  }
   const int wanted = guessing_ ? 1 : stages_.frames();
   if (frames > 0 && hold) {
     pass->Limit = frames;
@@ -183,16 +214,22 @@ bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
 
 // Draws the picture through the pass, in the window.
 void PictureFrames::show(int rays, bool behind) {
-  screen_->Props = content_->shownProps(renderer_);
-  screen_->Props.push_back(content_->sky);
+  screen_->Props = props_();
   screen_->Culled = content_->many;
-  screen_->Sky = content_->sky;
+  screen_->Sky = sky_;
+  screen_->Over = sky_ == nullptr;
   screen_->BlurredRays = rays;
   screen_->Behind = behind;
   screen_->Width = shown_.size[0];
   screen_->Height = shown_.size[1];
   screen_->Samples = shown_.size[2];
+  screen_->X = shown_.size[3];
+  screen_->Y = shown_.size[4];
   renderer_->SetPass(screen_);
+}
+
+void PictureFrames::endFrame() {
+  if (screen_ && renderer_->GetPass() == screen_.Get()) renderer_->SetPass(nullptr);
 }
 
 void PictureFrames::beginFrame(bool plain, bool hold) {
@@ -227,7 +264,7 @@ void PictureFrames::beginFrame(bool plain, bool hold) {
   active_ = !plain && (frames > 0 || rays > 0 || behind);
   for (const DrawnObject& object : content_->objects) object.pass->SetSeparateSpecular(rays > 0);
   if (!active_) {
-    if (screen_) renderer_->SetPass(nullptr);
+    endFrame();
     return;
   }
   if (!screen_) screen_ = makePass();
@@ -275,7 +312,7 @@ void PictureFrames::releaseLinear() {
 }
 
 void PictureFrames::release() {
-  renderer_->SetPass(nullptr);
+  endFrame();
   active_ = refining_ = tried_ = false;
   for (const auto& pass : {screen_, linear_}) {
     if (pass) pass->ReleaseGraphicsResources(window_);

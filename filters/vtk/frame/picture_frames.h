@@ -5,6 +5,8 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,12 +24,19 @@ class PictureFrames {
  public:
   PictureFrames(vtkOpenGLRenderWindow* window, vtkCulledRenderer* renderer, std::shared_ptr<DrawState> state,
                 const SceneContent* content);
+  /// For a renderer of another program, whose window is set later. `props`: those that make the picture; all others
+  /// are drawn over it. The renderer has a pass only between beginFrame() and endFrame().
+  PictureFrames(vtkRenderer* renderer, std::shared_ptr<DrawState> state, const SceneContent* content,
+                std::function<std::vector<vtkProp*>()> props);
+  void setWindow(vtkOpenGLRenderWindow* window) { window_ = window; }
 
   /// The scene differs from that of the previous frame.
   void sceneChanged() { ++generation_; }
   /// To be called before each frame of the window, with the surfaces as they will be drawn. `plain`: no surface shows a
   /// technique's picture (a debug view). `hold`: captures are pending, and refinement waits for them.
   void beginFrame(bool plain, bool hold);
+  /// Takes the pass off another program's renderer.
+  void endFrame();
   /// Does a technique that is drawn average frames?
   bool averages() const { return raysAFrame() > 0; }
   FrameCount count() const;
@@ -52,7 +61,7 @@ class PictureFrames {
   struct Key {
     int generation = 0;
     std::array<double, 12> camera{};
-    std::array<int, 3> size{};
+    std::array<int, 5> size{};                                ///< width, height, samples, lower left corner
     std::vector<std::weak_ptr<const ProbeBinding>> bindings;  ///< as drawn
     std::vector<std::weak_ptr<const ProbeMaps>> maps;
     std::vector<std::weak_ptr<const DiffuseLattice>> lattices;
@@ -70,12 +79,15 @@ class PictureFrames {
   int firstGuess() const;
   void beginRefinement(vtkPicturePass* pass, const RefineSettings& settings);
   bool advance(vtkPicturePass* pass, bool hold);
+  bool outOfTime() const;
   void show(int rays, bool behind);
 
   vtkOpenGLRenderWindow* window_;
-  vtkCulledRenderer* renderer_;
+  vtkRenderer* renderer_;
   std::shared_ptr<DrawState> state_;
   const SceneContent* content_;
+  std::function<std::vector<vtkProp*>()> props_;
+  vtkProp* sky_ = nullptr;  ///< null: what is behind the picture belongs to another program
   vtkSmartPointer<vtkPicturePass> screen_, linear_;
   bool active_ = false, plain_ = false;
   int generation_ = 0;
@@ -85,6 +97,8 @@ class PictureFrames {
   bool refining_ = false;  ///< refines the window's current picture
   bool tried_ = false;     ///< checked whether there is anything to refine
   bool guessing_ = false;  ///< the current frame is the technique's own
+  bool stopped_ = false;   ///< out of time: shows what it has reached
+  std::chrono::steady_clock::time_point begun_;
   Key shown_;
 };
 

@@ -11,9 +11,10 @@
 namespace boxprobe {
 
 struct RefineSettings {
-  int rays = 0;        ///< per pixel, in the last stage; 0: no refinement
-  double until = 0.0;  ///< stop at this estimated relative error; 0: only `rays` ends it
-  bool operator==(const RefineSettings& o) const { return rays == o.rays && until == o.until; }
+  int rays = 0;          ///< per pixel, in the last stage; 0: no refinement
+  double until = 0.0;    ///< stop at this estimated relative error; 0: only `rays` ends it
+  double seconds = 0.0;  ///< stop after the frame that ends later than this after the first; 0: no limit
+  bool operator==(const RefineSettings& o) const { return rays == o.rays && until == o.until && seconds == o.seconds; }
 
   static constexpr int kRays = 256;
   static constexpr int kMostRays = 16384;
@@ -45,6 +46,7 @@ class Refinement {
   /// Are there frames to draw after the technique's own?
   bool more() const { return stage_ < stages_.size(); }
 
+  const RefineSettings& settings() const { return settings_; }
   /// Of the current stage.
   RefinedRays rays() const;
   int frames() const;

@@ -151,6 +151,7 @@ void vtkPicturePass::DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*
     this->Frame.drawTo(every);
   }
   this->Target->Clear = clear;
+  this->Target->Empty = this->Over;
   this->Target->Blend = blend;
   this->Target->Props = props;
   vtkRenderState content(renderer);
@@ -177,14 +178,15 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
   const boxprobe::FrameTarget& sums = this->Average->sums();
   if (this->Framebuffer == 0) {
     // VTK leaves both to its camera, which is not used while a pass is set.
-    state->vtkglViewport(0, 0, this->Width, this->Height);
+    state->vtkglViewport(this->X, this->Y, this->Width, this->Height);
     state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglScissor(0, 0, this->Width, this->Height);
+    state->vtkglScissor(this->X, this->Y, this->Width, this->Height);
     renderer->Clear();
   }
   const boxprobe::PassState saved(window);
   const vtkOpenGLState::ScopedglDepthFunc function(state);
   const vtkOpenGLState::ScopedglDepthMask mask(state);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate factors(state);
   if (this->Framebuffer != 0) {
     state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
     state->vtkglViewport(0, 0, this->Width, this->Height);
@@ -193,6 +195,11 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_ALWAYS);
   state->vtkglDepthMask(GL_TRUE);
+  const bool over = this->Over && this->Framebuffer == 0;
+  if (over) {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
   const bool blurred = this->BlurredRays > 0;
   const int frames = this->Average->frames(), framesBefore = this->Average->framesBefore();
   const double share = framesBefore > 0 && this->Share ? this->Share(frames) : 1.0;
@@ -204,6 +211,9 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
     program->SetUniformi("bpColor", color.unit());
     program->SetUniformi("bpDepth", depth.unit());
     program->SetUniformi("bpFiner", this->Finer());
+    program->SetUniformi("bpOver", over ? 1 : 0);
+    const int corner[2] = {this->Framebuffer == 0 ? this->X : 0, this->Framebuffer == 0 ? this->Y : 0};
+    program->SetUniform2i("bpCorner", corner);
     program->SetUniformf("bpScale", blurred ? 1.0f : static_cast<float>(share / std::max(frames, 1)));
     program->SetUniformi("bpBefore", before.unit());
     program->SetUniformf("bpBeforeScale", static_cast<float>((1.0 - share) / std::max(framesBefore, 1)));

@@ -37,6 +37,8 @@ class vtkPicturePass : public vtkRenderPass {
   /** The target; 0: the bound framebuffer, in display colours, with the renderer's other props on top. */
   unsigned int Framebuffer = 0;
   int Width = 1, Height = 1;  ///< in pixels
+  int X = 0, Y = 0;           ///< of the lower left pixel, in the window
+  bool Over = false;          ///< over what the renderer's background shows where Props leave something of it
   int Samples = 0;            ///< per pixel, in every frame
   bool Behind = false;        ///< some of Props are glass, seen through to the others (see behind_frame.h)
   int BlurredRays = 0;        ///< per pixel and frame, if samples are smoothed; 0: they are not

@@ -85,7 +85,13 @@ void vtkTargetPass::Render(const vtkRenderState* s) {
   } else {
     state->vtkglDisable(GL_BLEND);
   }
-  if (this->Clear) {
+  if (this->Clear && this->Empty) {
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglClearDepth(1.0);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  } else if (this->Clear) {
     renderer->Clear();
   }
   std::vector<vtkProp*> props =

@@ -26,7 +26,8 @@ class vtkTargetPass : public vtkRenderPass {
   /// x, y, width, height in pixels of the framebuffer; may extend beyond it, to draw a part of a larger picture.
   int Viewport[4] = {0, 0, 1, 1};
   bool Blend = true;
-  bool Clear = true;  ///< before drawing
+  bool Clear = true;   ///< before drawing
+  bool Empty = false;  ///< clears to nothing, in place of the renderer's background
   std::vector<vtkProp*> Props;
 
   void Render(const vtkRenderState* s) override;

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "filters/math/cube/diffuse_lattice.h"
 #include "filters/math/sampling/filter_lobe.h"
 
 namespace boxprobe {
@@ -9,6 +10,7 @@ namespace boxprobe {
 namespace {
 
 constexpr std::size_t kRgba16fBytes = 8, kR32fBytes = 4;
+constexpr std::size_t kLatticeTexels = DiffuseLattice::kParts + DiffuseLattice::kCutParts;  // of a node
 
 std::size_t faceTexels(int size) {
   return 6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
@@ -27,6 +29,20 @@ std::size_t captureScratchBytes(int faceSize) {
   std::size_t bytes = 0;
   for (int size = faceSize; size > 0; size /= 2) bytes += faceTexels(size) * kRgba16fBytes;
   return bytes;
+}
+
+std::size_t latticeBytes(const glm::dvec3& boxSize) {
+  // As many as it may have, where there is a door: tracedSpacing().
+  const glm::ivec3 nodes = latticeNodes(glm::vec3(boxSize), 0.5f * LatticeSettings{}.spacing);
+  return static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) * kLatticeTexels * sizeof(glm::vec4);
+}
+
+std::size_t latticeAtlasBytes(std::size_t lattices) {
+  if (lattices == 0) return 0;
+  std::size_t tiles = 1;
+  while (tiles < lattices) tiles *= 2;
+  constexpr std::size_t kSide = DiffuseLattice::kMostNodes;
+  return tiles * kSide * kSide * kSide * kLatticeTexels * kRgba16fBytes;
 }
 
 std::string memoryText(std::size_t bytes) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <string>
 
 namespace boxprobe {
@@ -11,6 +12,12 @@ namespace boxprobe {
 std::size_t probeMapsBytes(int faceSize, bool distances);
 /// Additional memory while it is captured: the capture's own mip chain.
 std::size_t captureScratchBytes(int faceSize);
+
+/// Main memory of a probe's lattice of diffuse light (filters/math/cube/diffuse_lattice.h) with as many nodes as one
+/// that is traced may have, for a box of that size in scene units.
+std::size_t latticeBytes(const glm::dvec3& boxSize);
+/// Texture memory for the lattices of so many probes: one texture, whose tiles are doubled until all fit.
+std::size_t latticeAtlasBytes(std::size_t lattices);
 
 /// "1.5 GB", "12 MB".
 std::string memoryText(std::size_t bytes);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 
 #include "filters/math/cube/lamp_free.h"
+#include "filters/vtk/gl/cpu_time.h"
 
 namespace boxprobe {
 
@@ -14,6 +16,17 @@ namespace {
 // Lattices kept per probe; rays for one that is derived continuously.
 constexpr std::size_t kKept = 2;
 constexpr int kFewRays = 256;
+
+std::mutex costsMutex;
+LatticeCosts costs;
+
+void countLattice(const DiffuseLattice& lattice, double cpuSeconds) {
+  const std::lock_guard<std::mutex> lock(costsMutex);
+  ++costs.lattices;
+  costs.nodes += static_cast<std::size_t>(lattice.nodes.x * lattice.nodes.y * lattice.nodes.z);
+  costs.bytes += (lattice.texels.size() + lattice.cuts.size()) * sizeof(glm::vec4);
+  costs.cpuSeconds += cpuSeconds;
+}
 
 CubeMap firstLevel(const CubeTexture& texture) {
   if (!texture.allocated()) return {};
@@ -32,6 +45,7 @@ struct LatticeWork {
   LatticeSource source;
 
   std::shared_ptr<const DiffuseLattice> derive() const {
+    const double start = processCpuSeconds();
     shading::ProbeShape shape{};
     shape.boxMin = source.boxMin;
     shape.boxMax = source.boxMax;
@@ -44,11 +58,18 @@ struct LatticeWork {
     const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));
     const DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe,
                                                         settings, source.sky ? &sky : nullptr);
-    return std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
+    auto lattice = std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
+    countLattice(*lattice, processCpuSeconds() - start);
+    return lattice;
   }
 };
 
 }  // namespace
+
+LatticeCosts latticeCosts() {
+  const std::lock_guard<std::mutex> lock(costsMutex);
+  return costs;
+}
 
 bool LatticeSource::operator==(const LatticeSource& o) const {
   return boxMin == o.boxMin && boxMax == o.boxMax && mapFromProbe == o.mapFromProbe &&

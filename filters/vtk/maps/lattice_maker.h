@@ -25,6 +25,14 @@ struct LatticeSource {
   bool operator==(const LatticeSource& o) const;
 };
 
+/// Of all lattices that this process has derived.
+struct LatticeCosts {
+  std::size_t lattices = 0, nodes = 0;
+  std::size_t bytes = 0;    ///< main memory of their texels
+  double cpuSeconds = 0.0;  ///< of all threads meanwhile, whatever else they did
+};
+LatticeCosts latticeCosts();
+
 enum class LatticeHaste {
   Now,     ///< waits for it
   Beside,  ///< derived on other threads; the previous one until it is ready

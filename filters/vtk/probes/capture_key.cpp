@@ -4,8 +4,11 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
+#include <type_traits>
+#include <variant>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/scene/scene_fields.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/maps/content_hash.h"
 
@@ -114,6 +117,52 @@ bool inFrustum(const Box& boundsWorld, const Probe& probe, int face) {
   if (nearest > probe.farDistance + margin) return false;
   return !beyond(forward) && !beyond(forward + s) && !beyond(forward - s) && !beyond(forward + t) &&
          !beyond(forward - t);
+}
+
+// Of a field. Numbers, truth and texts by name, vectors by their components.
+void addValue(ContentHash& hash, std::monostate) {
+  hash.add("none");
+}
+template <typename Number, typename = std::enable_if_t<std::is_arithmetic_v<Number>>>
+void addValue(ContentHash& hash, Number value) {
+  hash.add(static_cast<double>(value));
+}
+void addValue(ContentHash& hash, const std::string& text) {
+  hash.add(text);
+}
+void addValue(ContentHash& hash, const glm::dvec2& v) {
+  hash.add(v.x).add(v.y);
+}
+void addValue(ContentHash& hash, const glm::vec3& v) {
+  hash.addVector(v);
+}
+void addValue(ContentHash& hash, const glm::dvec3& v) {
+  hash.addVector(v);
+}
+void addValue(ContentHash& hash, const std::vector<std::string>& names) {
+  for (const std::string& name : names) hash.add(name);
+}
+void addValue(ContentHash& hash, const Box& box) {
+  hash.addVector(box.min).addVector(box.max);
+}
+void addValue(ContentHash& hash, const BlendDistance& distance) {
+  hash.addVector(distance.min).addVector(distance.max);
+}
+void addValue(ContentHash& hash, const Bevel& bevel) {
+  hash.add(bevel.radius).add(bevel.fromRoughness);
+}
+void addValue(ContentHash& hash, const BoxOcclusion& occlusion) {
+  hash.add(occlusion.multiplier).add(occlusion.power).add(occlusion.strength);
+}
+void addValue(ContentHash& hash, const Clear& clear) {
+  hash.add(static_cast<double>(clear.index()));
+  if (const auto* color = std::get_if<glm::vec3>(&clear)) hash.addVector(*color);
+}
+void addValue(ContentHash& hash, const std::map<std::string, ParameterValue>& parameters) {
+  for (const auto& [name, value] : parameters) {
+    hash.add(name);
+    std::visit([&](const auto& held) { addValue(hash, held); }, value);
+  }
 }
 
 template <typename Meets>
@@ -246,6 +295,19 @@ std::string importKey(const Probe& probe, const CubeMap& picture) {
       .add(picture.faceSize());
   const auto texels = static_cast<std::size_t>(picture.faceSize()) * static_cast<std::size_t>(picture.faceSize());
   for (int face = 0; face < 6; ++face) hash.addBytes(picture.face(0, face), texels * 4 * sizeof(float));
+  return hash.text();
+}
+
+std::string drawnKey(const Probe& probe) {
+  ContentHash hash;
+  for (const FieldRow<Probe>& row : probeFields()) {
+    const auto changes = [&](bool Changes::*kind) {
+      return std::find(row.changes.begin(), row.changes.end(), kind) != row.changes.end();
+    };
+    if (row.get == nullptr || !(changes(&Changes::probeShape) || changes(&Changes::probeTechnique))) continue;
+    hash.add(row.key);
+    std::visit([&](const auto& value) { addValue(hash, value); }, row.get(probe));
+  }
   return hash.text();
 }
 

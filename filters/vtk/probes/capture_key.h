@@ -69,6 +69,9 @@ std::string imageContentKey(const ImageRgbaF& image);
 /// The key of a map made from a picture file.
 std::string importKey(const Probe& probe, const CubeMap& picture);
 
+/// How a probe lights what others capture, apart from its maps: box, influence, weight, technique and their like.
+std::string drawnKey(const Probe& probe);
+
 /// Does this probe's capture show that object?
 bool captureShows(const Probe& probe, const CaptureObject& object);
 

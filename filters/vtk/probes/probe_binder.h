@@ -112,6 +112,8 @@ class ProbeBinder {
   /// Delays the tracing of lamps' visibility while a box is dragged: captures wait for it.
   void holdSight(bool held) { sight_.hold(held); }
   bool sightPending() const { return sight_.pending(); }
+  /// See SightWork::bytes().
+  std::size_t sightBytes() const { return sight_.bytes(); }
   /// Traces for the probes that the plan requests, and no others; to be called when that may have changed.
   void wantSight();
   /// Starts it, or waits briefly. True if probes see their lamps differently, and assign() must follow. Throws

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "filters/math/cube/diffuse_lattice.h"
 #include "filters/vtk/gl/map_bytes.h"
 #include "filters/vtk/maps/content_hash.h"
 
@@ -36,13 +35,18 @@ class MemoryNeed {
  public:
   /// `lattices`: its diffuse light is that of a lattice.
   void add(const Probe& probe, const CustomPictures& pictures, bool lattices);
-  std::size_t bytes() const { return maps_ + lattices_ + scratch_; }
+  /// Of lamps, whose lattices are kept beside their texture, too.
+  void addVisibilities(std::size_t bytes) { copies_ += bytes; }
+  std::size_t bytes() const { return maps_ + latticesBytes() + scratch_; }
   /// One line that says what exceeds that many bytes, and what to reduce.
   std::string error(std::size_t limitBytes) const;
 
  private:
-  std::size_t maps_ = 0, lattices_ = 0, scratch_ = 0, count_ = 0;
-  int largest_ = 0;  ///< face size, texels
+  std::size_t latticesBytes() const { return copies_ + latticeAtlasBytes(latticeCount_); }
+
+  std::size_t maps_ = 0, scratch_ = 0, count_ = 0;
+  std::size_t copies_ = 0, latticeCount_ = 0;  ///< of lattices; main memory, beside their texture
+  int largest_ = 0;                            ///< face size, texels
 };
 
 void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures, bool lattices) {
@@ -55,16 +59,14 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures, bool la
   largest_ = std::max(largest_, size);
   ++count_;
   if (!lattices) return;
-  // As many as it may have, where there is a door: tracedSpacing().
-  const glm::ivec3 nodes = latticeNodes(glm::vec3(probe.box.size()), 0.5f * LatticeSettings{}.spacing);
-  lattices_ += static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) *
-               (DiffuseLattice::kParts + DiffuseLattice::kCutParts) * sizeof(glm::vec4);
+  copies_ += latticeBytes(probe.box.size());
+  ++latticeCount_;
 }
 
 std::string MemoryNeed::error(std::size_t limitBytes) const {
   return "the maps of " + std::to_string(count_) + " probes with faces of up to " + std::to_string(largest_) +
-         " texels " + (lattices_ > 0 ? "and " + memoryText(lattices_) + " of lattices " : std::string()) + "need " +
-         memoryText(bytes()) + " of texture memory, and there are " + memoryText(limitBytes) +
+         " texels " + (latticesBytes() > 0 ? "and " + memoryText(latticesBytes()) + " of lattices " : std::string()) +
+         "need " + memoryText(bytes()) + " of texture memory, and there are " + memoryText(limitBytes) +
          " (BOXPROBE_TEXTURE_MEMORY, in MB, sets another limit); lower faceSize or bounces, or bake a share at a time "
          "(bake --shard)";
 }
@@ -161,12 +163,12 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
       if (bounce > inputs_[i].bounces) continue;
       // In the order of the keys: the list's order does not affect pictures.
       std::vector<std::string> shown;
-      for (const std::size_t other : sees_[i]) shown.push_back(key(other, bounce - 1));
+      for (const std::size_t other : sees_[i]) shown.push_back(key(other, bounce - 1) + inputs_[other].drawn);
       std::sort(shown.begin(), shown.end());
       ContentHash hash;
       hash.add(inputs_[i].view).add(inputs_[i].lattices ? "lit by lattices" : "lit by");
       for (const std::string& text : shown) hash.add(text);
-      keys_[i].push_back(shown.empty() ? inputs_[i].view : hash.text());
+      keys_[i].push_back(shown.empty() && !inputs_[i].latticeSky ? inputs_[i].view : hash.text());
     }
   }
 }
@@ -197,12 +199,15 @@ BounceKeys::Input ProbePlan::input(std::size_t index) const {
   }
   input.bounces = probe.bounces;
   input.lattices = world_.lattices;
+  input.latticeSky = !world_.latticeSky.empty();
   input.imported = probe.mode == ProbeMode::Custom;
   input.realtime = probe.mode == ProbeMode::Realtime;
   CaptureView view = probeView(world_, probe);
   input.view = input.imported ? sources_.pictures.key(probe) : view.key;
   input.lighting = std::move(view.lighting);
-  if (const auto it = records_.find(input.view); it != records_.end()) {
+  if (followsBoxes_) {
+    input.drawn = drawn_.at(probe.name);
+  } else if (const auto it = records_.find(input.view); it != records_.end()) {
     input.record = it->second;
   } else {
     input.record = sources_.folder.record(input.view);
@@ -242,7 +247,29 @@ BounceKeys ProbePlan::askedBounces() const {
   return BounceKeys(std::move(inputs));
 }
 
+void ProbePlan::setWorld(CaptureWorld world) {
+  const std::size_t probes = entries_.scene().probes.size();
+  if (interactive_ && probes == worldProbes_ && world.objects.size() == world_.objects.size()) {
+    for (std::size_t i = 0; i < world.objects.size(); ++i) {
+      world.objects[i].probes = std::move(world_.objects[i].probes);
+    }
+  }
+  world_ = std::move(world);
+  worldProbes_ = probes;
+}
+
+void ProbePlan::updateDrawn() {
+  if (!followsBoxes_) return;
+  std::map<std::string, std::string> now;
+  for (const Probe& probe : entries_.scene().probes) {
+    const auto before = interactive_ ? drawn_.find(probe.name) : drawn_.end();
+    now[probe.name] = before != drawn_.end() ? before->second : drawnKey(probe);
+  }
+  drawn_ = std::move(now);
+}
+
 void ProbePlan::updateKeys() {
+  updateDrawn();
   bounces_ = askedBounces();
   // A record that no longer leads to maps is dropped: new maps follow the current boxes.
   bool dropped = false;
@@ -281,7 +308,7 @@ std::string ProbePlan::faceKey(std::size_t index, int bounce, int face) const {
   std::vector<std::string> lighting;
   for (const std::size_t other : bounces_.sees(index)) {
     if (!std::binary_search(view.lighting.begin(), view.lighting.end(), other)) continue;
-    lighting.push_back(bounce > 1 ? bounces_.key(other, bounce - 1) : "none yet");
+    lighting.push_back(bounce > 1 ? bounces_.key(other, bounce - 1) + bounces_.input(other).drawn : "none yet");
   }
   std::sort(lighting.begin(), lighting.end());
   ContentHash hash;
@@ -293,7 +320,7 @@ std::string ProbePlan::faceKey(std::size_t index, int bounce, int face) const {
 }
 
 bool ProbePlan::firstWithoutSky(std::size_t index) const {
-  return !world_.latticeSky.empty() && entries_.probe(index).bounces > 1 && !bounces_.sees(index).empty();
+  return !world_.latticeSky.empty() && entries_.probe(index).bounces > 1;
 }
 
 std::string ProbePlan::realtimeFaceKey(const Probe& probe, int face) const {
@@ -301,7 +328,9 @@ std::string ProbePlan::realtimeFaceKey(const Probe& probe, int face) const {
   ContentHash hash;
   hash.add(view.key).add(probe.bounces > 1 ? (world_.lattices ? "lit by lattices" : "lit") : "dark");
   for (const std::size_t other : view.lighting) {
-    if (probe.bounces > 1 && !bounces_.input(other).realtime) hash.add(bounces_.finalKey(other));
+    if (probe.bounces < 2) continue;
+    if (!bounces_.input(other).realtime) hash.add(bounces_.finalKey(other));
+    hash.add(bounces_.input(other).drawn);
   }
   return hash.text();
 }
@@ -484,7 +513,7 @@ bool ProbePlan::capturesLast() const {
   return std::any_of(jobs_.begin(), jobs_.end(), lasts) || (current_ && lasts(*current_));
 }
 
-bool ProbePlan::checkMemory(std::size_t limitBytes) {
+bool ProbePlan::checkMemory(std::size_t limitBytes, std::size_t visibilityBytes) {
   memoryChecked_ = true;
   const auto asked = [&](std::size_t i) {
     const ProbeEntry& entry = entries_[i];
@@ -494,6 +523,7 @@ bool ProbePlan::checkMemory(std::size_t limitBytes) {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (asked(i)) need.add(entries_.probe(i), sources_.pictures, world_.lattices);
   }
+  need.addVisibilities(visibilityBytes);
   memoryError_ = need.bytes() <= limitBytes ? std::string() : need.error(limitBytes);
   return memoryError_.empty();
 }

@@ -138,8 +138,9 @@ class ProbeEntries {
   std::optional<std::vector<std::size_t>> seenObjects_;
 };
 
-/// Capture n of a probe shows the light of other probes as captured at n - 1. So a bounce with unchanged inputs has the
-/// key of the previous one, and a probe that is not in any bounce of another does not make it stale.
+/// Capture n of a probe shows the light of other probes as captured at n - 1, by their boxes and techniques. So a
+/// bounce with unchanged inputs has the key of the previous one, and a probe that is not in any bounce of another does
+/// not make it stale.
 class BounceKeys {
  public:
   struct Input {
@@ -147,9 +148,11 @@ class BounceKeys {
     int bounces = 1;
     bool imported = false;              ///< from a picture: the same at every bounce
     bool lattices = false;              ///< later bounces use lattices for diffuse light
+    bool latticeSky = false;            ///< which bring the light of the sky: a first bounce of several has none of it
+    std::string drawn;                  ///< drawnKey(), where later bounces follow it
     bool realtime = false;              ///< not in other probes' bounces, which it would make stale in every frame
     std::vector<std::size_t> lighting;  ///< probes that light what the capture shows, by the current boxes
-    std::optional<BakeRecord> record;   ///< of maps made earlier from the same view
+    std::optional<BakeRecord> record;   ///< of maps made earlier from the same view, where these do not follow
   };
 
   BounceKeys() = default;
@@ -159,8 +162,8 @@ class BounceKeys {
   /// The key of a probe's maps for a bounce, from 1; beyond its own bounces that of the last.
   const std::string& key(std::size_t probe, int bounce) const;
   const std::string& finalKey(std::size_t probe) const { return key(probe, inputs_[probe].bounces); }
-  /// The probes that each probe's later bounces show: those of its record, so that moving a box does not invalidate
-  /// maps, plus new ones.
+  /// The probes that each probe's later bounces show: by the current boxes; if it has a record, those of the record,
+  /// plus new ones.
   const std::vector<std::size_t>& sees(std::size_t probe) const { return sees_[probe]; }
   /// The record to store with new maps.
   BakeRecord record(std::size_t probe) const;
@@ -207,8 +210,8 @@ class ProbePlan {
   const ProbeSources& sources() const { return sources_; }
 
   // Keys. What a probe shows is only determined if it is requested.
-  /// Sets what captures show; updateKeys() must follow.
-  void setWorld(CaptureWorld world) { world_ = std::move(world); }
+  /// Sets what captures show; updateKeys() must follow. During a drag who lights what stays as it was.
+  void setWorld(CaptureWorld world);
   const CaptureWorld& world() const { return world_; }
   /// Sets the wanted keys of entries that are needed.
   void updateKeys();
@@ -226,10 +229,14 @@ class ProbePlan {
   /// New maps of it follow the current boxes.
   void forget(std::size_t index) { records_.erase(bounces_.input(index).view); }
 
+  /// Are later bounces stale when a box or technique is another? Not where nobody tells when a drag ends.
+  void setFollowsBoxes(bool follows) { followsBoxes_ = follows; }
+
   // Options that take effect with the next make().
   void setEnabled(bool enabled) { enabled_ = enabled; }
   bool enabled() const { return enabled_; }
   /// During a drag: baked probes are captured temporarily, with a single bounce.
+  /// Their later bounces do not follow boxes and techniques until its end, when setWorld() must follow.
   void setInteractive(bool interactive) { interactive_ = interactive; }
   bool interactive() const { return interactive_; }
   /// Probes with nothing to show yet are captured in few texels before anything else.
@@ -240,6 +247,7 @@ class ProbePlan {
   bool coarsePending() const;
   /// Baked probes, by name, whose final maps are made again with faces of so many texels. Others show maps of their own
   /// size again.
+  const std::map<std::string, int>& sharp() const { return sharp_; }
   void setSharp(std::map<std::string, int> faceSizes) { sharp_ = std::move(faceSizes); }
   /// Does it show its final maps in more texels, as asked?
   bool showsSharp(std::size_t index) const;
@@ -274,8 +282,9 @@ class ProbePlan {
 
   /// Are there jobs whose memory has not been checked?
   bool memoryUnchecked() const { return !memoryChecked_ && !jobs_.empty(); }
-  /// Do the maps fit into that many bytes? If not, memoryError() gives the reason.
-  bool checkMemory(std::size_t limitBytes);
+  /// Do the maps and lattices fit into that many bytes? If not, memoryError() gives the reason. `visibilityBytes`: of
+  /// the lattices of what is seen of lamps.
+  bool checkMemory(std::size_t limitBytes, std::size_t visibilityBytes = 0);
   /// One line; empty: they fit, or were not checked since make().
   const std::string& memoryError() const { return memoryError_; }
 
@@ -286,6 +295,7 @@ class ProbePlan {
  private:
   BounceKeys::Input input(std::size_t index) const;
   BounceKeys askedBounces() const;
+  void updateDrawn();
   void planCoarse();
   void planSky();
   bool bakesAny() const;  ///< among the targets
@@ -298,6 +308,9 @@ class ProbePlan {
   CaptureWorld world_;
   BounceKeys bounces_;
   std::map<std::string, BakeRecord> records_;  ///< by view
+  std::map<std::string, std::string> drawn_;   ///< drawnKey() by name, as before a drag
+  bool followsBoxes_ = true;
+  std::size_t worldProbes_ = 0;  ///< probes in the list when the world was set
   bool enabled_ = true, interactive_ = false, coarseFirst_ = false;
   std::set<std::string> targets_;
   std::map<std::string, int> sharp_;

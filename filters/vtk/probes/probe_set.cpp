@@ -40,6 +40,7 @@ ProbeSet::ProbeSet(SceneContent* content, const std::shared_ptr<DrawState>& stat
       binder_(with_),
       tuning_(with_) {
   binder_.needs().setAll(true);
+  plan_.setFollowsBoxes(false);
 }
 
 void ProbeSet::updateShapes(const std::optional<ProbeEntries::Origins>& origins) {
@@ -178,7 +179,7 @@ void ProbeSet::step() {
 }
 
 void ProbeSet::doOne() {
-  if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return cancelWork();
+  if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit(), binder_.sightBytes())) return cancelWork();
   // Shown meanwhile, and in no final picture.
   if (baker_.standIn()) return;
   if (plan_.coarsePending() && baker_.step()) return;
@@ -221,6 +222,7 @@ void ProbeSet::setCoarseFirst(bool coarse) {
 }
 
 void ProbeSet::setSharp(std::map<std::string, int> faceSizes) {
+  if (faceSizes == plan_.sharp()) return;
   plan_.setSharp(std::move(faceSizes));
   if (plan_.entries().matched()) baker_.replan();
 }
@@ -281,7 +283,8 @@ std::optional<ProbeDiffuse> ProbeSet::diffuseLight(std::size_t index) const {
 std::size_t ProbeSet::memoryBytes() const {
   std::size_t bytes = baker_.cache().bytes();
   for (std::size_t i = 0; i < binder_.size(); ++i) {
-    if (maps(i) && plan_.entries().probe(i).mode == ProbeMode::Realtime) bytes += maps(i)->bytes();
+    const bool kept = plan_.entries().probe(i).mode != ProbeMode::Realtime && !plan_.showsSharp(i);
+    if (maps(i) && !kept) bytes += maps(i)->bytes();
   }
   return bytes;
 }

@@ -12,6 +12,12 @@ constexpr int kMostNodesOfAll = 8'000'000, kFewestNodes = 1000;
 constexpr double kCaptureSpacing = 0.5;
 constexpr int kMostCaptureNodes = 4096;
 
+SightSettings ofCapture(SightSettings settings) {
+  settings.spacing = kCaptureSpacing;
+  settings.mostNodes = std::min(settings.mostNodes, kMostCaptureNodes);
+  return settings;
+}
+
 }  // namespace
 
 void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& scene, const Models& models,
@@ -96,36 +102,64 @@ void SightWork::cancel() {
   ending_.push_back(std::move(running_));
 }
 
+// By all tasks, so that a lattice does not depend on which are wanted first.
+SightSettings SightWork::settings() const {
+  const auto count =
+      std::count_if(known_.begin(), known_.end(), [](const Known& k) { return k.task && !k.task->from; });
+  SightSettings settings;
+  settings.mostNodes =
+      std::clamp(kMostNodesOfAll / std::max(static_cast<int>(count), 1), kFewestNodes, settings.mostNodes);
+  return settings;
+}
+
+std::size_t SightWork::bytes() const {
+  const SightSettings most = settings();
+  std::size_t bytes = 0;
+  for (const Known& known : known_) {
+    if (!known.wanted || !known.task) continue;
+    if (known.current) {
+      bytes += known.sight ? known.sight->lattice.texels.size() : 0;
+      continue;
+    }
+    const SightTask& task = *known.task;
+    std::size_t nodes = kMostCaptureNodes;  // its box is what is seen
+    if (!task.from) {
+      const glm::ivec3 along = sightNodes(task.box.size(), most);
+      nodes = static_cast<std::size_t>(along.x * along.y * along.z);
+    }
+    const std::size_t lamps = std::min(task.lamps.size(), std::max<std::size_t>(task.own, kMostProbeLamps));
+    if (lamps + task.sources.size() == 0) continue;
+    bytes += nodes * ((1 + lamps + task.sources.size() + 3) / 4 * 4);
+  }
+  return 2 * bytes;
+}
+
 void SightWork::start() {
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   std::vector<std::optional<SightTask>> tasks;
   traced_.clear();
-  int count = 0;  // of all, so that a lattice does not depend on which are wanted first
   for (const Known& known : known_) {
     traced_.push_back(known.open());
     tasks.push_back(known.open() ? known.task : std::nullopt);
-    count += known.task && !known.task->from ? 1 : 0;
   }
-  SightSettings settings;
-  settings.mostNodes = std::clamp(kMostNodesOfAll / std::max(count, 1), kFewestNodes, settings.mostNodes);
-  running_ = std::async(std::launch::async, [tasks = std::move(tasks), scene = scene_, models = surroundings_.models,
-                                             maker = maker_, lines = lines_, cancelled = cancelled_, settings] {
-    Done done{lines, {}};
-    done.sights.resize(tasks.size());
-    if (!done.lines) done.lines = maker(*scene, models);
-    for (std::size_t i = 0; i < tasks.size() && !*cancelled; ++i) {
-      if (!tasks[i]) continue;
-      SightTask task = *tasks[i];
-      SightSettings of = settings;
-      if (task.from) {
-        task.box = boxSeenFrom(*done.lines, *task.from);
-        of.spacing = kCaptureSpacing;
-        of.mostNodes = std::min(settings.mostNodes, kMostCaptureNodes);
-      }
-      done.sights[i] = std::make_shared<const ProbeSight>(probeSight(*done.lines, task, *cancelled, of));
-    }
-    return done;
-  });
+  running_ =
+      std::async(std::launch::async, [tasks = std::move(tasks), scene = scene_, models = surroundings_.models,
+                                      maker = maker_, lines = lines_, cancelled = cancelled_, settings = settings()] {
+        Done done{lines, {}};
+        done.sights.resize(tasks.size());
+        if (!done.lines) done.lines = maker(*scene, models);
+        for (std::size_t i = 0; i < tasks.size() && !*cancelled; ++i) {
+          if (!tasks[i]) continue;
+          SightTask task = *tasks[i];
+          SightSettings of = settings;
+          if (task.from) {
+            task.box = boxSeenFrom(*done.lines, *task.from);
+            of = ofCapture(settings);
+          }
+          done.sights[i] = std::make_shared<const ProbeSight>(probeSight(*done.lines, task, *cancelled, of));
+        }
+        return done;
+      });
 }
 
 bool SightWork::proceed(std::chrono::milliseconds wait) {

@@ -30,6 +30,9 @@ class SightWork {
            const SightLinesMaker& lines);
   /// Which of the tasks are to be known; of the others nothing is traced. What runs goes on.
   void want(const std::vector<bool>& tasks);
+  /// Memory of all that is wanted, with the texture that holds it as well: of what is not traced yet as much as it may
+  /// take.
+  std::size_t bytes() const;
   /// While a box is dragged nothing is begun.
   void hold(bool held) { held_ = held; }
   /// Is something wanted that is not known?
@@ -76,6 +79,7 @@ class SightWork {
 
   void start();
   bool anyOpen() const;
+  SightSettings settings() const;
 
   std::vector<Known> known_;  ///< of each task
   Surroundings surroundings_;

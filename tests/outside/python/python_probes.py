@@ -211,6 +211,33 @@ class Calls(unittest.TestCase):
                 del probes
             gc.collect()
 
+    def test_a_view_at_rest_is_refined(self):
+        room = Room()
+        room.floor.GetProperty().SetRoughness(0.4)
+        probes = boxprobe.attach(room.renderer)
+        probes.add(bounds=(-2, 2, -1, 1, -2, 2), face_size=64, technique="box")
+        own = room.mirrored()
+        self.assertFalse(probes.RefineStep())  # off
+        probes.refine_at_rest, probes.refine_rays, probes.refine_delay = True, 64, 0.25
+        self.assertEqual((probes.refine_at_rest, probes.refine_rays, probes.refine_seconds, probes.refine_delay), (True, 64, 0.0, 0.25))
+        ends = []
+        probes.AddObserver(boxprobe.vtkReflectionProbes.EndRefineEvent, lambda caller, event: ends.append(probes.GetRefineProgress()))
+        frames = 1
+        while probes.RefineStep():
+            frames += 1
+        self.assertEqual(ends, [1.0])
+        self.assertGreater(frames, 8)
+        refined = room.mirrored()
+        self.assertNotEqual(refined, own)
+        self.assertTrue(probes.GetRefining())
+        room.renderer.GetActiveCamera().Azimuth(5)
+        room.mirrored()
+        self.assertFalse(probes.GetRefining())
+        room.renderer.GetActiveCamera().Azimuth(-5)
+        self.assertEqual(room.mirrored(), own)
+        with self.assertRaises(AttributeError):
+            probes.refine = True
+
     def test_version(self):
         self.assertRegex(boxprobe.__version__, r"^\d+\.\d+\.\d+$")
         self.assertEqual(importlib.metadata.version("boxprobe"), boxprobe.__version__)

@@ -120,6 +120,10 @@ class Probes(vtkReflectionProbes):
     exposure = _value("Exposure", "Factor on linear light before it is shown.")
     emission = _value("Emission", "Emissive factors show without a texture.")
     multiple_scattering = _value("MultipleScattering", "Adds light that meets more than one microfacet.")
+    refine_at_rest = _value("RefineAtRest", "A view that rests is refined: by the interactor's timers, or RefineStep().")
+    refine_rays = _value("RefineRays", "Per pixel, at the end.")
+    refine_seconds = _value("RefineSeconds", "Longest time of it; 0: no limit.")
+    refine_delay = _value("RefineDelay", "Seconds without a change before it begins.")
 
     @property
     def tone(self):

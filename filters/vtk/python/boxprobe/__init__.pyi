@@ -38,6 +38,10 @@ class Probes(vtkReflectionProbes):
     tone: str
     emission: bool
     multiple_scattering: bool
+    refine_at_rest: bool
+    refine_rays: int
+    refine_seconds: float
+    refine_delay: float
     @property
     def stale(self) -> bool: ...
     def __len__(self) -> int: ...
