@@ -58,6 +58,23 @@ ImageRgba8 sheetOf(const std::vector<ImageRgba8>& pictures) {
   return sheet;
 }
 
+/// Median CPU time of a frame while the camera moves.
+double movedFrame(OffscreenScene& drawn) {
+  constexpr int kFrames = 41;
+  SceneRenderer& renderer = drawn.renderer();
+  const Camera rest = renderer.currentCamera();
+  std::vector<double> seconds;
+  for (int i = 0; i < kFrames; ++i) {
+    Camera camera = rest;
+    camera.position.x += 0.002 * (i % 7);
+    renderer.applyCamera(camera);
+    seconds.push_back(drawn.timedFrame());
+  }
+  renderer.applyCamera(rest);
+  std::nth_element(seconds.begin(), seconds.begin() + kFrames / 2, seconds.end());
+  return seconds[kFrames / 2];
+}
+
 RefineSettings endingAt(int rays) {
   RefineSettings settings;
   settings.rays = rays;
@@ -73,6 +90,8 @@ void run(const CLI::App& program, const RestOptions& options) {
   SceneRenderer& renderer = drawn.renderer();
   bench::prepare(drawn, loaded.scene, loaded.models, options.frame.camera);
 
+  drawn.capture();
+  const double movedBefore = movedFrame(drawn);
   const int rows = drawn.window()->GetSize()[1];
   // The picture that all others are compared with; it also compiles the programs, which a view does once.
   renderer.refine(endingAt(4 * options.rays));
@@ -110,14 +129,18 @@ void run(const CLI::App& program, const RestOptions& options) {
     light = mean;
     drawn.requireHealthy();
   }
+  renderer.refine({});
+  renderer.sharpenMirrors(0);
+  const double movedAfter = movedFrame(drawn);
   std::size_t reached = errors.size() - 1;
   while (reached > 0 && errors[reached - 1] <= 1.2 * errors.back()) --reached;
   std::printf(
       "%s: %zu frames, %.2f s of CPU (mirrors %.2f s, a frame of the technique's own %.3f s), RMS in steps of 8 bits "
       "%.2f to "
-      "%.2f; within 1.2 of it after frame %zu, %.2f s; largest step of the mean %.4f\n",
+      "%.2f; within 1.2 of it after frame %zu, %.2f s; largest step of the mean %.4f; a frame while moving %.4f s, "
+      "%.3f of that before anything was refined\n",
       options.frame.scene.c_str(), pictures.size(), spent, sharpened, own, errors.front(), errors.back(), reached + 1,
-      seconds[reached], step);
+      seconds[reached], step, movedAfter, movedAfter / movedBefore);
   if (options.sheet.empty()) return;
   std::vector<ImageRgba8> eight;
   for (std::size_t i = 0; i < 8; ++i) eight.push_back(pictures[i * (pictures.size() - 1) / 7]);

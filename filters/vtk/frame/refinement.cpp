@@ -94,7 +94,7 @@ int Refinement::framesBefore() const {
 }
 
 PictureChange pictureChange(const std::vector<float>& before, const std::vector<float>& after, double exposure) {
-  double squares = 0.0, changes = 0.0;
+  double squares = 0.0, changes = 0.0, allSquares = 0.0, allChanges = 0.0;
   std::vector<float> steps;
   const std::size_t pixels = std::min(before.size(), after.size()) / 4;
   steps.reserve(pixels);
@@ -107,6 +107,8 @@ PictureChange pictureChange(const std::vector<float>& before, const std::vector<
       most = std::max(most, std::abs(shown(exposure * b) - shown(exposure * a)));
     }
     steps.push_back(static_cast<float>(most));
+    allChanges += change;
+    allSquares += square;
     // Pixels that rays hardly concern do not thin out the others: 0.3 % is less than a step of 8 bits.
     if (!(change > 1.0e-5 * square)) continue;
     changes += change;
@@ -118,6 +120,8 @@ PictureChange pictureChange(const std::vector<float>& before, const std::vector<
   std::nth_element(steps.begin(), at, steps.end());
   result.stepsOf8Bits = static_cast<double>(*at);
   if (squares > 0.0) result.relativeRms = std::sqrt(changes / squares);
+  // So small a change everywhere is not none.
+  if (squares <= 0.0 && allSquares > 0.0) result.relativeRms = std::sqrt(allChanges / allSquares);
   return result;
 }
 
