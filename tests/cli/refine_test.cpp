@@ -13,9 +13,9 @@ using ::testing::SizeIs;
 
 class Refine : public ::testing::Test {
  protected:
-  Outcome render(const std::string& output, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"render", demoScene("room"), "-o",        folder.path(output),
-                                          "--size", "96x54",           "--samples", "1"};
+  Outcome render(const std::string& output, const std::vector<std::string>& more, const char* size = "96x54") {
+    std::vector<std::string> arguments = {"render", demoScene("room"), "-o", folder.path(output), "--size",
+                                          size,     "--samples",       "1"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return runProgram(arguments);
   }
@@ -47,8 +47,9 @@ TEST_F(Refine, WritesAPictureAndSaysWhatIsLeft) {
 }
 
 TEST_F(Refine, SaysWhatItReachedOfAPercentageThatCannotBe) {
-  const Outcome outcome = render("out.png", {"--refine=0.0001%", "--size", "24x14", "--set", "probes.room.faceSize=16",
-                                             "--set", "materials.floor.roughness=0.6"});
+  const Outcome outcome = render(
+      "out.png", {"--refine=0.0001%", "--set", "probes.room.faceSize=16", "--set", "materials.floor.roughness=0.6"},
+      "24x14");
   ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("refined by 16384 rays a pixel, an estimated "));
   ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;

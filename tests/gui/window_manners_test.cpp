@@ -136,6 +136,16 @@ TEST_F(WindowMannersTest, BakedFilesThatNoLongerHoldAreToldWhenTheSceneIsOpened)
   EXPECT_TRUE(said.startsWith("1 of 1 baked files")) << said.toStdString();
 }
 
+// The picture stands between two columns of panels: a window that is taller than wide would leave it a slit.
+TEST_F(WindowMannersTest, ANewWindowIsWideAndFitsASmallScreen) {
+  const MainWindow second;
+  EXPECT_GE(second.width(), 4 * second.height() / 3);
+  EXPECT_LE(second.width(), 1600);
+  EXPECT_LE(second.height(), 1000);
+  EXPECT_GE(second.width(), 1024);
+  EXPECT_GE(second.height(), 700);
+}
+
 TEST_F(WindowMannersTest, ALongListOfProbesCanBeSearched) {
   auto* filter = window_->findChild<QLineEdit*>("probeFilter");
   EXPECT_FALSE(filter->isVisible()) << "a handful needs none";

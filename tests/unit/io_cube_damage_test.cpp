@@ -164,6 +164,37 @@ TEST_F(CubeDamage, SizesAreRefusedBeforeMemoryIsAsked) {
   }
 }
 
+// Few pixels in a frame of a panorama's shape, which would be filled: the frame has a size, too.
+TEST_F(CubeDamage, AFrameAroundFewPixelsHasALimit) {
+  const std::string path = file("framed.exr");
+  const Imath::Box2i pixels({11, 7}, {27, 15});
+  Imf::Header header(Imath::Box2i({0, 0}, {65999, 32999}), pixels);
+  std::vector<half> values(17 * 9, half(0.5f));
+  Imf::FrameBuffer buffer;
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::HALF));
+    buffer.insert(name, Imf::Slice::Make(Imf::HALF, values.data(), pixels));
+  }
+  {
+    Imf::OutputFile out(path.c_str(), header);
+    out.setFrameBuffer(buffer);
+    out.writePixels(9);
+  }
+  constexpr rlim_t kMemory = rlim_t(1) << 30;
+  EXPECT_EQ(inLimits(kMemory, RLIM_INFINITY,
+                     [&] {
+                       try {
+                         loadCube(path);
+                       } catch (const InputError& error) {
+                         const std::string text = error.what();
+                         std::cerr << text << std::endl;
+                         return text == path + ": is 66000 x 33000 pixels; at most 32768 a side are read" ? 0 : 1;
+                       }
+                       return 2;
+                     }),
+            0);
+}
+
 TEST_F(CubeDamage, ADiskThatIsFullLeavesTheOldFileAndNoOther) {
   write("probe.exr", "the old one");
   const int status = inLimits(RLIM_INFINITY, 20000, [&] {
