@@ -158,10 +158,11 @@ TEST(Relief, NoRayTakesMoreStepsThanAsked) {
   }
 }
 
-// What an octahedron's two coordinates of 12 bits lose of a direction, wherever it points: half a cell's diagonal,
-// which the octahedron's slant makes longer by at most the root of three.
+// What an octahedron's two coordinates of 12 bits lose of a direction, wherever it points. A cell reaches 1/4096 to
+// each side in both; along the octahedron that is at most the root of 6 as far, seen from its middle, at least the root
+// of 1/3 away.
 TEST(Relief, FarDirectionsComeBack) {
-  const double allowed = std::sqrt(2.0) / 4096.0 * std::sqrt(3.0);
+  const double allowed = std::sqrt(6.0) / 4096.0 * std::sqrt(3.0);
   std::mt19937 random(23);
   std::normal_distribution<float> component;
   double worst = 0.0;
