@@ -111,7 +111,6 @@ TEST_F(RoomOfOrdinaryActors, LookAsTheProgramDrawsThemByEveryTechnique) {
   probes.setEmission(true);
   probes.setTone(Tone::None);  // the curve of the program's window
   probes.addProbe(room_.scene.probes.front());
-  probes.setMaps(0, room_.renderer->shownMaps("room"));
   addAll(probes);
   for (const std::string& id : everyTechnique()) {
     Probe& probe = room_.scene.probes.front();
@@ -122,6 +121,7 @@ TEST_F(RoomOfOrdinaryActors, LookAsTheProgramDrawsThemByEveryTechnique) {
       if (row->name == "blur") probe.parameters["blur"] = false;
     }
     const ImageRgba8 wanted = program();
+    probes.setMaps(0, room_.renderer->shownMaps("room"));  // reflections within reflections are of this technique, too
     probes.setProbe(0, probe);
     const ImageRgba8 drawn = theirs();
     EXPECT_EQ(probes.error(), "") << id;
