@@ -2,7 +2,10 @@
 // alone. The judge is the integral over the lobe, summed here from the walls' colours.
 #include <vtkCallbackCommand.h>
 #include <vtkGenericRenderWindowInteractor.h>
+#include <vtkImageData.h>
 #include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -152,6 +155,35 @@ TEST(ReflectionRefine, GoesOnToTheIntegralAndEnds) {
   expectNear(at(refined, 80, 40), at(own, 80, 40), 1);  // an unlit wall
   EXPECT_TRUE(room.heard.errors.empty()) << room.heard.errors.front();
   EXPECT_TRUE(room.heard.warnings.empty()) << room.heard.warnings.front();
+}
+
+// The filter draws the window once more, with a view angle that went through a sine and back.
+TEST(ReflectionRefine, ASavedPictureIsTheRefinedOne) {
+  const RoughRoom room;
+  room.probes->RefineAtRestOn();
+  for (const double angle : {60.0, 47.0, 33.0}) {
+    room.renderer->GetActiveCamera()->SetViewAngle(angle);
+    const ImageRgba8 own = room.picture();
+    room.refine();
+    const ImageRgba8 refined = windowPixels(room.window);
+    EXPECT_GT(meanDifference(refined, own), 0.0) << angle;
+    vtkNew<vtkWindowToImageFilter> saved;
+    saved->SetInput(room.window);
+    saved->ReadFrontBufferOff();
+    saved->Update();
+    EXPECT_TRUE(room.probes->GetRefining()) << angle;
+    vtkImageData* image = saved->GetOutput();
+    const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
+    const auto width = static_cast<std::size_t>(refined.width), height = static_cast<std::size_t>(refined.height);
+    ASSERT_EQ(static_cast<std::size_t>(image->GetNumberOfPoints()), width * height);
+    ASSERT_EQ(image->GetNumberOfScalarComponents(), 3);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < width * height; ++i) {
+      const std::size_t from = (height - 1 - i / width) * width + i % width;  // the filter's rows go up
+      for (std::size_t c = 0; c < 3; ++c) different += pixels[3 * from + c] != refined.pixels[4 * i + c] ? 1 : 0;
+    }
+    EXPECT_EQ(different, 0u) << angle;
+  }
 }
 
 TEST(ReflectionRefine, WhateverMovesIsDrawnByTheTechniqueAgain) {

@@ -345,11 +345,17 @@ std::string ActorParts::pictureKey() const {
     hash.add(shown ? drawnKey(object) : std::string());
   }
   hash.add(lightsKey()).add(static_cast<double>(skies)).add(static_cast<double>(state->resources.tone));
+  // As floats: vtkWindowToImageFilter sets the view angle anew, and its last bit may differ.
+  const auto addFloats = [&](vtkMatrix4x4* matrix, int count) {
+    for (int i = 0; i < count; ++i) {
+      const auto number = static_cast<float>(matrix->GetData()[i]);
+      hash.addBytes(&number, sizeof number);
+    }
+  };
   vtkCamera* camera = renderer->GetActiveCamera();
-  hash.addBytes(camera->GetModelViewTransformMatrix()->GetData(), 16 * sizeof(double));
+  addFloats(camera->GetModelViewTransformMatrix(), 16);
   // Of any clipping distances: they follow what is added to the renderer, and change no colour.
-  hash.addBytes(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
-                2 * sizeof(double) * 4);
+  addFloats(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0), 8);
   int size[4] = {0, 0, 0, 0};
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &size[2], &size[3]);
   hash.addBytes(size, sizeof size).add(static_cast<double>(window->GetMultiSamples()));

@@ -105,7 +105,8 @@ PictureFrames::Key PictureFrames::key() const {
   camera->GetPosition(&key.camera[0]);
   camera->GetFocalPoint(&key.camera[3]);
   camera->GetViewUp(&key.camera[6]);
-  key.camera[9] = camera->GetViewAngle();
+  // vtkWindowToImageFilter sets it anew, by a sine and back: its last bit may differ.
+  key.camera[9] = static_cast<float>(camera->GetViewAngle());
   key.camera[10] = camera->GetParallelProjection();
   key.camera[11] = camera->GetParallelScale();
   if (sky_ != nullptr) {
