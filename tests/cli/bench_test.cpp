@@ -156,8 +156,8 @@ TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
   EXPECT_THAT(readFile(folder.path("out/report.md")), HasSubstr("footprint8"));
 }
 
-/// Error of plain box projection against the ray-traced scene by roughness, of what shows `material` alone through camera
-/// main. Empty if the run fails.
+/// Error of plain box projection against the ray-traced scene by roughness, of what shows `material` alone through
+/// camera main. Empty if the run fails.
 std::map<double, double> errorsOf(const std::string& scene, const std::string& folder, const std::string& material,
                                   const std::string& roughness) {
   const Outcome outcome =

@@ -173,7 +173,7 @@ void BakePanel::saveBaked() {
   saved_ = 0;
   notFinished_.clear();
   renderer_.sharpenMirrors(0);  // files are of the scene's own size
-  toSave_ = {std::string()};  // the sky, which completes the set
+  toSave_ = {std::string()};    // the sky, which completes the set
   for (auto it = editor_.scene().probes.rbegin(); it != editor_.scene().probes.rend(); ++it) {
     if (it->mode == ProbeMode::Baked) toSave_.push_back(it->name);
   }

@@ -30,8 +30,8 @@ struct DiffuseLattice : shading::LatticeSampler {
   glm::vec3 high{0.0f};
   /// Parts of the nodes one after another: all nodes' first texels, x fastest, then y, then z; then all second ones.
   std::vector<glm::vec4> texels;
-  /// In that order, of the ways from a node to the next along x, then y, then z: how much of it is cut; that times where
-  /// what cuts it begins; that times where it ends. Empty: all nodes see their neighbours.
+  /// In that order, of the ways from a node to the next along x, then y, then z: how much of it is cut; that times
+  /// where what cuts it begins; that times where it ends. Empty: all nodes see their neighbours.
   std::vector<glm::vec4> cuts;
   int cutWays = 0;  ///< ways between nodes that are cut, wholly or in part
 
