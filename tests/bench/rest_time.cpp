@@ -136,8 +136,8 @@ void run(const CLI::App& program, const RestOptions& options) {
   while (reached > 0 && errors[reached - 1] <= 1.2 * errors.back()) --reached;
   std::printf(
       "%s: %zu frames, %.2f s of CPU (mirrors %.2f s, a frame of the technique's own %.3f s), RMS in steps of 8 bits "
-      "%.2f to "
-      "%.2f; within 1.2 of it after frame %zu, %.2f s; largest step of the mean %.4f; a frame while moving %.4f s, "
+      "%.2f to %.2f; within 1.2 of it after frame %zu, %.2f s; largest step of the mean %.4f; a frame while moving "
+      "%.4f s, "
       "%.3f of that before anything was refined\n",
       options.frame.scene.c_str(), pictures.size(), spent, sharpened, own, errors.front(), errors.back(), reached + 1,
       seconds[reached], step, movedAfter, movedAfter / movedBefore);

@@ -374,16 +374,20 @@ TEST(ProbePlan, AProbeKeepsItsEntryThroughAChangeOfTheList) {
   EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:near2")) << "it showed the one that is gone";
 }
 
-// Nodes half a unit apart, 16 along an axis at most, 40 numbers each.
-TEST(ProbePlan, LatticesAreCountedBeforeAnythingIsMade) {
-  ThreeRooms rooms(1);
-  rooms.scene.probes[1].box.max = rooms.scene.probes[1].box.min + glm::dvec3(90.0, 4.2, 31.0);
+void lightByLattices(ThreeRooms& rooms) {
   rooms.update();
   CaptureWorld world = rooms.plan.world();
   world.lattices = true;
   rooms.plan.setWorld(world);
   rooms.plan.updateKeys();
   rooms.replan();
+}
+
+// Nodes half a unit apart, 16 along an axis at most, 40 numbers each.
+TEST(ProbePlan, LatticesAreCountedBeforeAnythingIsMade) {
+  ThreeRooms rooms(1);
+  rooms.scene.probes[1].box.max = rooms.scene.probes[1].box.min + glm::dvec3(90.0, 4.2, 31.0);
+  lightByLattices(rooms);
   std::size_t nodes = 0;
   for (const Probe& probe : rooms.scene.probes) {
     std::size_t of = 1;
@@ -420,12 +424,7 @@ TEST(ProbePlan, ThreeHundredLatticesOfSixteenCubedAreSaidBefore) {
     rooms.scene.probes.push_back(probe);
     rooms.objects.push_back(cubeAt("cube " + std::to_string(i), {at, -1, 0}, 0.1));
   }
-  rooms.update();
-  CaptureWorld world = rooms.plan.world();
-  world.lattices = true;
-  rooms.plan.setWorld(world);
-  rooms.plan.updateKeys();
-  rooms.replan();
+  lightByLattices(rooms);
   const std::size_t one = std::size_t{16} * 16 * 16 * 40;
   const std::size_t lattices = 300 * one * 4 + 512 * one * 2;
   const std::size_t all = 300 * probeMapsBytes(32, true) + captureScratchBytes(32) + lattices;
