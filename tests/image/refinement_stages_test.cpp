@@ -16,7 +16,7 @@ RefineSettings endingAt(int rays, double until = 0.0) {
 
 TEST(Refinement, StagesHaveFourTimesTheRaysAndEndWithThoseAskedFor) {
   for (const auto& [asked, stages] : std::vector<std::pair<int, std::vector<int>>>{
-           {256, {16, 64, 256}}, {1, {1}}, {16, {16}}, {100, {16, 64, 100}}, {1025, {16, 64, 256, 1024, 1025}}}) {
+           {256, {64, 256}}, {1, {1}}, {16, {16}}, {100, {64, 100}}, {1025, {64, 256, 1024, 1025}}}) {
     Refinement refinement;
     refinement.begin(endingAt(asked), 5);
     int frames = 1;
@@ -74,7 +74,7 @@ TEST(Refinement, EndsWhereNothingMoreWouldShowOrEnoughIsReached) {
   EXPECT_TRUE(refinement.more());
   refinement.endStage({0.004, 0.3});
   EXPECT_FALSE(refinement.more()) << "no step of eight bits";
-  EXPECT_EQ(refinement.raysDone(), 64);
+  EXPECT_EQ(refinement.raysDone(), 256);
 
   refinement.begin(endingAt(4096, 0.02), 16);
   refinement.endStage({0.2, 9.0});

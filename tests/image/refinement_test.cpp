@@ -61,6 +61,54 @@ Error shownError(const ImageRgba8& shown, double exposure, const NoisyRoomTruth&
   return errorOf(picture, encoded);
 }
 
+/// How alike neighbours' deviations from the mean around them are: 1 of a smooth pattern, negative of blue noise.
+double grain(const ImageRgbaF& few, const ImageRgbaF& all, const NoisyRoomTruth& truth) {
+  constexpr int kReach = 3;
+  const int width = few.width;
+  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * width + x); };
+  std::vector<double> deviation(truth.rough.size(), 0.0);
+  std::vector<bool> known(truth.rough.size(), false);
+  for (int y = kReach; y < few.height - kReach; ++y) {
+    for (int x = kReach; x < width - kReach; ++x) {
+      double mean = 0.0;
+      bool whole = true;
+      for (int dy = -kReach; dy <= kReach; ++dy) {
+        for (int dx = -kReach; dx <= kReach; ++dx) {
+          const std::size_t i = at(x + dx, y + dy);
+          whole = whole && truth.rough[i] && !truth.edges[i];
+          mean += few.pixels[4 * i + 1] - all.pixels[4 * i + 1];
+        }
+      }
+      known[at(x, y)] = whole;
+      mean /= (2 * kReach + 1) * (2 * kReach + 1);
+      deviation[at(x, y)] = few.pixels[4 * at(x, y) + 1] - all.pixels[4 * at(x, y) + 1] - mean;
+    }
+  }
+  double together = 0.0, squares = 0.0;
+  int pairs = 0;
+  for (std::size_t i = 0; i + 1 < known.size(); ++i) {
+    if (!known[i] || !known[i + 1]) continue;
+    together += deviation[i] * deviation[i + 1];
+    squares += 0.5 * (deviation[i] * deviation[i] + deviation[i + 1] * deviation[i + 1]);
+    ++pairs;
+  }
+  EXPECT_GT(pairs, 500);
+  return together / squares;
+}
+
+// Where neighbours draw alike, few rays show rings around every lamp.
+TEST(RefinedPicture, TheNoiseOfFewRaysIsFineGrained) {
+  ScenePicture picture(restingRoom("box"), kWidth, kHeight);
+  picture.show(mainCamera(picture.scene));
+  const NoisyRoomTruth truth = truthOf(picture);
+  const ImageRgbaF all = picture.renderer->renderRefined(kWidth, kHeight, 1, by(1024));
+  for (const int rays : {8, 16}) {
+    const double of = grain(picture.renderer->renderRefined(kWidth, kHeight, 1, by(rays)), all, truth);
+    std::printf("  %d rays: %.3f\n", rays, of);
+    EXPECT_LT(of, 0.0) << rays;
+  }
+}
+
 TEST(RefinedPicture, FallsAtEveryStageAndEndsWhereAllRaysOfOneFrameEnd) {
   ScenePicture picture(restingRoom("footprint8"), kWidth, kHeight);
   picture.show(mainCamera(picture.scene));

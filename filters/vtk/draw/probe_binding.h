@@ -118,6 +118,8 @@ struct ProbeBinding {
   bool marches(std::size_t slot) const;
   /// Does a probe's technique read the parameter, with that choice?
   bool chooses(std::string_view parameter, std::string_view choice) const;
+  /// Does a probe spread its rays by the blue-noise mask: by its own choice, or refined?
+  bool blueNoise() const { return chooses("pattern", "blue") || !refinedValues.empty(); }
   /// Parameters that any of its techniques reads, without duplicates.
   std::vector<const ParameterRow*> parameters() const;
   /// The importance group of each probe, from 0.

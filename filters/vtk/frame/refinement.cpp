@@ -10,7 +10,8 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kFirstStage = 16, kTimes = 4;
+// Fewer are noisier than what they replace is wrong.
+constexpr int kFirstStage = 64, kTimes = 4;
 // Few enough that a frame does not delay the next camera movement.
 constexpr int kMostAFrame = 8;
 // A stage with 4 times the rays has about half of the error of the previous one; the remaining error then equals their
@@ -75,7 +76,9 @@ int Refinement::frames() const {
 double Refinement::share(int framesDone) const {
   if (!more()) return 1.0;
   const double all = frames(), done = std::min<double>(framesDone, all);
-  const double before = (stage_ == 0 ? firstGuess_ : stages_[stage_ - 1]) / static_cast<double>(rays().aFrame);
+  // The technique's frame is wrong but smooth, and noise is seen first: rays are shown as far as they are a part of all.
+  if (stage_ == 0) return done / all;
+  const double before = stages_[stage_ - 1] / static_cast<double>(rays().aFrame);
   // By variance, which falls faster than the number of rays rises, since they are spread evenly.
   const double of = std::pow(done, kEvenness);
   return of / (of + std::pow(before, kEvenness) * (1.0 - done / all));

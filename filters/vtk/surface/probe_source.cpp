@@ -194,7 +194,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          define("BP_LATTICE", lattice) + define("BP_LAMP_SHAPES", lattice && binding.lamps) +
          define("BP_LAMP_LOBES", binding.lampLobes) + define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
          define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
-         define("BP_BLUE_NOISE", binding.chooses("pattern", "blue") || !binding.refinedValues.empty()) +
+         define("BP_BLUE_NOISE", binding.blueNoise()) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +

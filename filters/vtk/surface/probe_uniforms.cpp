@@ -102,7 +102,7 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
     }
     to.program->SetUniform1iv("bpLightSize", static_cast<int>(count), size.data());
   }
-  if (binding.chooses("pattern", "blue")) {
+  if (binding.blueNoise()) {
     makeBlueNoise(to.window(), state.resources);
     to.texture2d("bpBlueNoise", state.resources.blueNoise);
   }
