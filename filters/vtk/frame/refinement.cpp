@@ -18,7 +18,7 @@ constexpr int kMostAFrame = 8;
 // difference, and is larger where both miss the same light.
 constexpr double kLeftOfChange = 1.2;
 // Of the difference between a quarter of a stage and all of it, which has about twice its noise.
-constexpr double kLeftOfPart = 0.65;
+constexpr double kLeftOfPart = 0.4;
 constexpr double kEvenness = 1.5;
 
 // Omits stages that would be worse than the frame they replace: as many rays may miss a small lamp by more than a frame
