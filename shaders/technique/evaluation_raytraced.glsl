@@ -25,13 +25,14 @@ float narrowedRoughness(float roughness, float number)
   return roughness * max(1.0f - 0.56f / number, 0.775f);
 }
 
-// `solidAngle`: what one sample stands for.
-float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEach, float solidAngle)
+// `solidAngle`: what one of `number` samples stands for.
+float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEach, float solidAngle, float number)
 {
   if (probe.parameters.filtered == 1)
   {
-    // A lobe of that solid angle at its peak has alpha² = solid angle / (4 pi); times a factor, fitted, as is the bias.
-    float size = 3.0f * 0.0795775f * solidAngle;
+    // A lobe of that solid angle at its peak has alpha² = solid angle / (4 pi); times a factor, fitted, as is the bias. A blur takes light
+    // from the brightest part of a lobe, and many samples need less of it.
+    float size = (2.0f + 8.0f / number) * 0.0795775f * solidAngle;
     return footprintLevel(probe, size * footprintScale(probe, hit, direction), -0.5f);
   }
   if (probe.parameters.levelOffset == 1)
@@ -93,7 +94,7 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
         float expected = lobeNumber + lightNumber * density * s.solidAngle;
         float facet = sqrt(max(0.5f + 0.5f * dot(point.view, s.direction), 0.0f));  // V.H
         float share = s.weight * facetReflectance(point.f0, facet, 1.0f) / expected;
-        float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle * number / (expected * inAll));
+        float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle * number / (expected * inAll), inAll);
         sum = sum + share * fetchProbe(map, probe, hit.direction, level);
         weights = weights + share;
       }
