@@ -78,6 +78,22 @@ TEST(Formula, OperatorsKeepTheirDistance) {
   EXPECT_GT(math("<mo>-</mo>").width, mathText("-", MathFont::Upright, 1.0).width) << "a minus sign is no hyphen";
 }
 
+TEST(Formula, SingleLettersSlantAndWordsAndCapitalGreekStand) {
+  const auto likeVariant = [](const QString& text, const char* variant) {
+    const MathBox plain = layoutMathml(QString("<math><mi>%1</mi></math>").arg(text));
+    return plain.path == layoutMathml(QString("<math><mi mathvariant=\"%1\">%2</mi></math>").arg(variant, text)).path;
+  };
+  const QString rho = QString::fromUtf8("ρ"), delta = QString::fromUtf8("Δ");
+  for (const QString& slanting : {QString("x"), rho}) {
+    EXPECT_TRUE(likeVariant(slanting, "italic")) << slanting.toStdString();
+    EXPECT_FALSE(likeVariant(slanting, "normal")) << slanting.toStdString();
+  }
+  for (const QString& standing : {QString("max"), delta}) {
+    EXPECT_TRUE(likeVariant(standing, "normal")) << standing.toStdString();
+    EXPECT_FALSE(likeVariant(standing, "italic")) << standing.toStdString();
+  }
+}
+
 TEST(Formula, WhatIsNoMathmlIsSetAsText) {
   EXPECT_GT(layoutMathml("R = 2").width, 1.0);
   EXPECT_GT(layoutMathml("<math><mi>x</math>").width, 1.0);

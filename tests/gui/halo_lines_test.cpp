@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -57,6 +58,38 @@ TEST(HaloLinesTest, APullMovesEachPointAlongItsRayFromTheEye) {
     EXPECT_NEAR(std::min(factors[0], factors[1]), pull, 1e-6) << "the line";
     EXPECT_GT(std::max(factors[0], factors[1]), 1.001 * pull) << "its halo lies behind";
   }
+}
+
+TEST(WireActorsTest, ADropEndsInACrossOnTheFloor) {
+  const glm::dvec3 origin(2.25, 3.5, -1.75), foot(2.25, 0.5, -1.75);
+  vtkNew<vtkRenderer> renderer;
+  WireActors wires(renderer, false);
+  wires.setDrop(std::array<glm::dvec3, 2>{origin, foot});
+  wires.pullTowards(glm::dvec3(9.0, 2.0, 30.0), 1.0);
+  int lines = 0;
+  vtkActorCollection* actors = renderer->GetActors();
+  for (int a = 0; a < actors->GetNumberOfItems(); ++a) {
+    auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(a));
+    vtkPolyData* data = vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->GetInput();
+    if (data == nullptr || data->GetNumberOfPoints() == 0) continue;
+    double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1e9, -1e9, -1e9};
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+      const Homogeneous p = placed(actor, i);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], p[axis]);
+        high[axis] = std::max(high[axis], p[axis]);
+      }
+    }
+    if (std::abs(high[1] - origin.y) > 1e-4) continue;  // the halo, behind the line
+    ++lines;
+    // Its arms are a twelfth of the height or so, along both axes of the floor.
+    for (const int axis : {0, 2}) {
+      EXPECT_NEAR(high[axis] + low[axis], 2.0 * foot[axis], 1e-4) << axis;
+      EXPECT_NEAR(high[axis] - low[axis], 2.0 * 0.08 * 3.0, 1e-4) << axis;
+    }
+    EXPECT_NEAR(low[1], foot.y, 1e-4);
+  }
+  EXPECT_EQ(lines, 1);
 }
 
 }  // namespace

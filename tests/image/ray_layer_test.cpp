@@ -14,6 +14,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -140,6 +141,24 @@ TEST_F(Bare, LinesThroughTheEyeAndBehindItAreCut) {
   for (int x = 0; x < kWidth; ++x) core += coreOfColumn(x);
   EXPECT_GT(core, 20);
   EXPECT_LT(core, 1200);  // one line from the lower edge to the middle, nothing of the other
+}
+
+TEST_F(Bare, ALineThatIsCutLooksTheSameFromEitherEnd) {
+  const glm::dvec3 behind(0.75, -0.5, 17.0), ahead(-1.125, 0.25, -5.0);
+  std::array<std::vector<bool>, 2> core;
+  for (const int way : {0, 1}) {
+    draw({way == 0 ? reflected(behind, ahead) : reflected(ahead, behind)});
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) core[way].push_back(isCore(pixel(x, y)));
+    }
+  }
+  int both = 0, one = 0;
+  for (std::size_t i = 0; i < core[0].size(); ++i) {
+    both += core[0][i] && core[1][i] ? 1 : 0;
+    one += core[0][i] != core[1][i] ? 1 : 0;
+  }
+  EXPECT_GT(both, 20);
+  EXPECT_LE(one, both / 3) << "more than its edges, which round otherwise";
 }
 
 TEST_F(Bare, OffIsNotThere) {

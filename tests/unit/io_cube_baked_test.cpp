@@ -221,6 +221,22 @@ TEST_F(CubeBaked, WhatIsNoProbeIsSaidToBeNone) {
   EXPECT_FALSE(std::filesystem::exists(file("odd.exr")));
 }
 
+TEST_F(CubeBaked, AMissingAttributeIsNamedAfterItsFile) {
+  saveBakedProbe(file("a.exr"), example());
+  std::ifstream in(file("a.exr"), std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  // As a file of version 1, which has no checksum.
+  const std::string version("boxprobe\0int\0\4\0\0\0\2", 18);
+  for (const std::string& name : {std::string("irradiance"), std::string("checksum"), version}) {
+    const std::size_t at = bytes.find(name);
+    ASSERT_NE(at, std::string::npos) << name;
+    name == version ? bytes[at + 17] = 1 : bytes[at] = 'o';
+  }
+  const std::string path = write("other.exr", bytes);
+  EXPECT_EQ(errorText([&] { loadBakedProbe(path); }),
+            path + ": part 0: attribute irradiance is missing: this is not a probe that was baked; bake it again");
+}
+
 TEST_F(CubeBaked, AttributesOutOfRangeAreNamed) {
   BakedProbeFile bad = example();
   bad.info.probe.blendDistance.max.y = std::numeric_limits<double>::quiet_NaN();

@@ -76,7 +76,8 @@ int Refinement::frames() const {
 double Refinement::share(int framesDone) const {
   if (!more()) return 1.0;
   const double all = frames(), done = std::min<double>(framesDone, all);
-  // The technique's frame is wrong but smooth, and noise is seen first: rays are shown as far as they are a part of all.
+  // The technique's frame is wrong but smooth, and noise is seen first: rays are shown as far as they are a part of
+  // all.
   if (stage_ == 0) return done / all;
   const double before = stages_[stage_ - 1] / static_cast<double>(rays().aFrame);
   // By variance, which falls faster than the number of rays rises, since they are spread evenly.

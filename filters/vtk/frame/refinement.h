@@ -1,4 +1,5 @@
-// Refines a picture at rest in stages of 64, 256 rays per pixel and more, or from 256 on; each averages frames whose rays are blurred for the number of the stage. A stage is blended with the previous one as its rays come in, and has
+// Refines a picture at rest in stages of 64, 256 rays per pixel and more, or from 256 on; each averages frames whose
+// rays are blurred for the number of the stage. A stage is blended with the previous one as its rays come in, and has
 // replaced it at its end. So the result does not depend on how it was reached, nothing jumps, and the difference of two
 // stages estimates the remaining error.
 #pragma once
