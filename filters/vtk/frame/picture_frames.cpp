@@ -158,7 +158,7 @@ int PictureFrames::firstGuess() const {
   int worth = 0;
   for (const DrawnObject& object : content_->objects) {
     const ProbeBinding* binding = object.settings.visible ? object.pass->GetBinding() : nullptr;
-    if (binding == nullptr || !binding->refined(1, 1)) continue;
+    if (binding == nullptr || binding->probes.empty()) continue;
     for (std::size_t slot = 0; slot < binding->probes.size(); ++slot) {
       const int of = raysWorth(binding->technique(slot));
       worth = worth == 0 ? of : std::min(worth, of);

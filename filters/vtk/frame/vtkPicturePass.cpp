@@ -16,6 +16,7 @@
 #include <vtkTranslucentPass.h>
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 #include <unordered_set>
 
@@ -26,6 +27,35 @@
 #include "filters/vtk/surface/glass_order.h"
 
 vtkStandardNewMacro(vtkPicturePass);
+
+namespace {
+
+// The number's digits in that base mirrored at the point (van der Corput).
+double mirroredDigits(int number, int base) {
+  double value = 0.0, place = 1.0;
+  for (; number > 0; number /= base) value += (place /= base) * (number % base);
+  return value;
+}
+
+// Looks through another place of every pixel while it lives, so that edges and what mirrors show are averaged over a
+// pixel's area. Not by the sequence of the rays: place and ray would go together.
+class PlaceInPixel {
+ public:
+  PlaceInPixel(vtkCamera* camera, int frame, int width, int height) : camera_(camera) {
+    camera->GetWindowCenter(center_);
+    camera->SetWindowCenter(center_[0] + (2.0 * mirroredDigits(frame + 1, 2) - 1.0) / width,
+                            center_[1] + (2.0 * mirroredDigits(frame + 1, 3) - 1.0) / height);
+  }
+  ~PlaceInPixel() { camera_->SetWindowCenter(center_[0], center_[1]); }
+  PlaceInPixel(const PlaceInPixel&) = delete;
+  PlaceInPixel& operator=(const PlaceInPixel&) = delete;
+
+ private:
+  vtkCamera* camera_;
+  double center_[2] = {0.0, 0.0};
+};
+
+}  // namespace
 
 vtkPicturePass::vtkPicturePass() {
   vtkNew<vtkRenderPassCollection> passes;
@@ -115,6 +145,10 @@ void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*
     pass.exposure = boxprobe::kLinearOutput;
     pass.frame = this->Average->frames();
   });
+  std::optional<PlaceInPixel> place;
+  if (this->Average->framesBefore() > 0) {  // a refined picture's
+    place.emplace(renderer->GetActiveCamera(), this->Average->frames(), this->Width, this->Height);
+  }
   this->DrawInOrder(renderer, props);
   this->Frame.resolve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
 }
