@@ -186,6 +186,30 @@ TEST(ReflectionRefine, ASavedPictureIsTheRefinedOne) {
   }
 }
 
+// VTK draws such a picture in parts, each with a camera of another window centre.
+TEST(ReflectionRefine, ALargerSavedPictureShowsEachPartInItsPlace) {
+  const RoughRoom room, plain;
+  room.probes->RefineAtRestOn();
+  room.picture();
+  room.refine();
+  plain.picture();
+  const auto saved = [](vtkRenderWindow* window) {
+    vtkNew<vtkWindowToImageFilter> filter;
+    filter->SetInput(window);
+    filter->SetScale(3, 2);
+    filter->ReadFrontBufferOff();
+    filter->Update();
+    vtkImageData* image = filter->GetOutput();
+    const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
+    return std::vector<unsigned char>(pixels, pixels + 3 * image->GetNumberOfPoints());
+  };
+  const std::vector<unsigned char> of = saved(room.window), own = saved(plain.window);
+  ASSERT_EQ(of.size(), own.size());
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < of.size(); ++i) apart += std::abs(of[i] - own[i]) > 12 ? 1 : 0;
+  EXPECT_LT(apart, of.size() / 50);
+}
+
 TEST(ReflectionRefine, WhateverMovesIsDrawnByTheTechniqueAgain) {
   const RoughRoom room, plain;
   room.probes->RefineAtRestOn();

@@ -60,7 +60,7 @@ class PictureFrames {
   /// What a frame shows: equal keys mean equal pictures, except for the pattern of the rays.
   struct Key {
     int generation = 0;
-    std::array<double, 12> camera{};
+    std::array<double, 14> camera{};
     std::array<int, 5> size{};                                ///< width, height, samples, lower left corner
     std::vector<std::weak_ptr<const ProbeBinding>> bindings;  ///< as drawn
     std::vector<std::weak_ptr<const ProbeMaps>> maps;
