@@ -109,7 +109,7 @@ PictureFrames::Key PictureFrames::key() const {
   key.camera[9] = static_cast<float>(camera->GetViewAngle());
   key.camera[10] = camera->GetParallelProjection();
   key.camera[11] = camera->GetParallelScale();
-  camera->GetWindowCenter(&key.camera[12]);  // other parts of a larger saved picture
+  camera->GetWindowCenter(&key.camera[12]);
   if (sky_ != nullptr) {
     const int* size = window_->GetSize();
     key.size = {size[0], size[1], window_->GetMultiSamples(), 0, 0};
