@@ -1,12 +1,19 @@
 // A view that rests in the window: what its mirrors get, and how soon they give it back.
+#include <QStatusBar>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include "app/gui/view/picture_work.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/rest_refinement.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/window/file_commands.h"
+#include "filters/io/cube/cube_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/vtk/maps/probe_maps.h"
 #include "filters/vtk/scene_renderer.h"
+#include "tests/gui/dialogs.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {
@@ -63,6 +70,21 @@ TEST_F(RestTest, MirrorsAreSharperAndGiveItBack) {
   window_->refinement().setRest(kNeverMilliseconds);
   window_->pictureWork().setReflectionsShown(true);
   EXPECT_EQ(texels(), 32);
+}
+
+TEST_F(RestTest, FilesAreOfTheScenesOwnSize) {
+  QTemporaryDir folder;
+  const QString path = folder.filePath("copy.boxprobe.json");
+  saveSceneFile(document().scene(), path.toStdString());
+  ASSERT_TRUE(window_->files().openPath(path));
+  ASSERT_TRUE(rested());
+  ASSERT_EQ(texels(), 128);
+  const auto question = answerMessageBox(QMessageBox::Save);
+  window_->findChild<QToolButton*>("saveBaked")->click();
+  EXPECT_TRUE(question->text.contains("copy.probes")) << question->text.toStdString();
+  ASSERT_TRUE(waitFor([this] { return window_->statusBar()->currentMessage().startsWith("Wrote"); }));
+  const BakedProbeFile file = loadBakedProbe(folder.filePath("copy.probes/room.exr").toStdString());
+  EXPECT_EQ(file.maps.radiance.faceSize(), 32);
 }
 
 TEST_F(RestTest, SwitchedOffNothingIsSharper) {
