@@ -2,6 +2,8 @@
 uniform int bpLampCount;                // turns: lamps that turn their backs on one another share one
 uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts where the first cannot be seen
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
+uniform vec3 bpLampMiddle[BP_LAMPS];
+uniform vec4 bpLampPlane[BP_LAMPS];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
 uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0: all is in slot 0 then
@@ -18,6 +20,16 @@ int lampCornerCount(int lamp)
 vec3 lampCorner(int lamp, int i)
 {
   return bpLampCorner[8 * lamp + i];
+}
+
+vec3 lampMiddle(int lamp)
+{
+  return bpLampMiddle[lamp];
+}
+
+vec4 lampPlane(int lamp)
+{
+  return bpLampPlane[lamp];
 }
 
 bool lampShinesBothSides(int lamp)
@@ -79,12 +91,35 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
   float byShape = lampsByShape(roughness);
   LampLobe lobe = lampLobe(normal, view, roughness);
   int turns = byShape > 0.0f || bpLampColors > 0.5f ? bpLobeCount : 0;
-  for (int i = 0; i < turns; ++i)
+  // The ends of loops are asked for last, as above.
+  if (turns > 0)
   {
-    int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
-    vec2 lit = bpLampWeight(lamp, shares) * lampGlossy(lamp, position, lobe);
-    light.lampsF0 += lit.x * bpLampLight[lamp];
-    light.lampsF90 += lit.y * bpLampLight[lamp];
+    int close = 0;  // a bit for each lamp that is too near for a glance
+    int i = 0;
+    do
+    {
+      int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
+      float weight = bpLampWeight(lamp, shares);
+      LampGlance glance = lampGlossyGlance(lamp, position, lobe);
+      bool waits = glance.tooNear && weight > 0.0f;
+      close += waits ? 1 << lamp : 0;
+      vec2 lit = waits ? vec2(0.0f) : weight * glance.light;
+      light.lampsF0 += lit.x * bpLampLight[lamp];
+      light.lampsF90 += lit.y * bpLampLight[lamp];
+      ++i;
+    } while (i < turns);
+    if (close != 0)
+    {
+      do
+      {
+        int bit = close & -close;
+        int lamp = int(log2(float(bit)) + 0.5f);
+        vec2 lit = bpLampWeight(lamp, shares) * lampGlossyNear(lamp, position, lobe);
+        light.lampsF0 += lit.x * bpLampLight[lamp];
+        light.lampsF90 += lit.y * bpLampLight[lamp];
+        close -= bit;
+      } while (close != 0);
+    }
   }
   light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, bpLampLight[0]);
   light.lampsF0 *= byShape;

@@ -16,6 +16,7 @@
 #include <map>
 #include <string>
 
+#include "filters/core/geometry/lamp_reach.h"
 #include "filters/core/picture/probe_color.h"
 #include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/draw/static_textures.h"
@@ -186,6 +187,18 @@ glm::vec4 lampChannels(const PassSettings& pass, const ProbeBinding& binding, st
   return channels;
 }
 
+// Nothing on the object sees the lamp.
+bool hiddenEverywhere(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, std::size_t slot,
+                      std::size_t lamp) {
+  const double* b = to.boundsWorld;
+  const auto& sight = sightOf(state.pass(), binding, slot);
+  if (!binding.sights() || !sight || b == nullptr || b[0] > b[1]) return false;
+  const int channel = sight->channelOfLamp(lamp);
+  if (channel >= 0 && !state.resources.sights->place(sight)) return false;  // without a lattice all is seen
+  thread_local LampReach known;
+  return !known.seen(sight, channel, {b[0], b[1], b[2], b[3], b[4], b[5]});
+}
+
 // Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes. Where maps show no
 // lamps, so that reflections need them, those as well.
 void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
@@ -197,7 +210,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   std::map<std::size_t, glm::vec4> lampOf;  // by falling power
   const auto addLamps = [&](const std::vector<std::size_t>& which, std::size_t slot) {
     for (const std::size_t lamp : which) {
-      const bool reaches = !outOfReach(lamps->lamps[lamp], to, state.pass(), binding.lampLobes);
+      const bool reaches = !outOfReach(lamps->lamps[lamp], to, state.pass(), binding.lampLobes) &&
+                           !hiddenEverywhere(to, state, binding, slot, lamp);
       if (reaches) lampOf[lamp][static_cast<int>(slot)] = 1.0f;
     }
   };
@@ -241,8 +255,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   if (binding.lampLobes) to.program->SetUniform1fv("bpLampFree", static_cast<int>(count), free.data());
   constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
   std::array<glm::vec3, kLamps * kCorners> corners{};
-  std::array<glm::vec3, kLamps> light{};
-  std::array<glm::vec4, kLamps> slots{}, channels{};
+  std::array<glm::vec3, kLamps> light{}, middle{};
+  std::array<glm::vec4, kLamps> slots{}, channels{}, plane{};
   std::array<int, kLamps> shape{}, other{};
   shape[0] = 3;  // the loop has one turn at least: of a lamp that is a point and gives nothing
   std::vector<std::size_t> drawn;
@@ -255,6 +269,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
     std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(k * kCorners));
     shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
+    middle[k] = shading::lampMiddle(&polygon);
+    plane[k] = shading::lampPlane(&polygon);
     light[k] = glm::vec3(lamp.radiance);
     slots[k] = lampOf[drawn[k]];
     channels[k] = lampChannels(state.pass(), binding, drawn[k]);
@@ -272,6 +288,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
   to.program->SetUniform1iv("bpLampOther", static_cast<int>(used), other.data());
   vectors("bpLampCorner", corners.data(), used * kCorners);
+  vectors("bpLampMiddle", middle.data(), used);
+  to.program->SetUniform4fv("bpLampPlane", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&plane[0].x));
   vectors("bpLampLight", light.data(), used);
   to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
   to.program->SetUniform4fv("bpLampOf", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&slots[0].x));
