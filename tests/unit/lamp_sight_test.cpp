@@ -398,13 +398,15 @@ TEST(LampReach, LeavesOutWhatSeesNothing) {
         const dvec3 n = glm::normalize(dvec3(in(-1, 1), in(-1, 1), in(-1, 1)));
         most = std::max(most, seen(*sight, probe, channel, low + size * dvec3(in(0, 1), in(0, 1), in(0, 1)), n));
       }
-      if (!said) EXPECT_EQ(most, 0.0) << i;
+      if (!said) {
+        EXPECT_EQ(most, 0.0) << i;
+      }
       hidden += said ? 0 : 1;
       shown += most > 0.0 ? 1 : 0;
       idle += said && most <= 0.0 ? 1 : 0;
     }
     std::printf("  %g degrees: %d hidden, %d shown, %d for nothing\n", degrees, hidden, shown, idle);
-    EXPECT_GT(hidden, 60);
+    EXPECT_GT(hidden, 30);
     EXPECT_GT(shown, 40);
     EXPECT_LT(idle, 100);
     EXPECT_FALSE(reach.seen(sight, kSeenByNone, {-1.0, -0.9, 0.0, 0.1, 0.0, 0.2}));
