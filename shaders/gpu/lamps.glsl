@@ -1,7 +1,8 @@
 // Lamps of the draw's probes, drawn as shapes (shared/lamp.glsl): relative to the eye, world axes. Needs gpu/probe_shares.glsl.
-uniform int bpLampCount;                // turns: lamps that turn their backs on one another share one
-uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts where the first cannot be seen
+uniform int bpLampCount;
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
+uniform vec3 bpLampMiddle[BP_LAMPS];
+uniform vec4 bpLampPlane[BP_LAMPS];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
 uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0: all is in slot 0 then
@@ -20,6 +21,16 @@ vec3 lampCorner(int lamp, int i)
   return bpLampCorner[8 * lamp + i];
 }
 
+vec3 lampMiddle(int lamp)
+{
+  return bpLampMiddle[lamp];
+}
+
+vec4 lampPlane(int lamp)
+{
+  return bpLampPlane[lamp];
+}
+
 bool lampShinesBothSides(int lamp)
 {
   return bpLampShape[lamp] >= 16;
@@ -28,7 +39,7 @@ bool lampShinesBothSides(int lamp)
 uniform vec4 bpLampLit;                 // 1 for each of the probes whose diffuse light is lamps'
 #if BP_LAMP_LOBES
 uniform float bpLampColors;             // 1 if the lamps are of several
-uniform int bpLobeCount;                // turns of reflections; 0 in captures, which show lamps as maps do
+uniform int bpLobeCount;                // of the lamps in reflections: all, or 0 in captures, which show lamps as maps do
 #endif
 
 //BP::LampLight
@@ -51,6 +62,31 @@ float bpLampWeight(int lamp, vec4 shares)
   return bpLampsWhole > 0.5f ? whole : sum;
 }
 
+// A bit for each lamp that shines on the pixel. Loops over these end where no pixel has lamps left; the end of a loop is asked for last,
+// because software renderers work a turn out before they leave it.
+int bpLampsHere;
+
+// After bpShareOut and bpFindSights; before the lamps' light.
+void bpFindLamps(vec3 position)
+{
+  vec4 shares = vec4(0.0f);
+  for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot]; }
+  bpLampsHere = 0;
+  int lamp = 0;
+  do
+  {
+    bool shines = lampSide(lamp, position) != 0.0f && bpLampWeight(lamp, shares) > 0.0f;
+    bpLampsHere += shines ? 1 << lamp : 0;
+    ++lamp;
+  } while (lamp < bpLampCount);
+}
+
+// The lamp of the lowest bit.
+int bpFirstLamp(int lamps)
+{
+  return int(log2(float(lamps & -lamps)) + 0.5f);
+}
+
 #if BP_LAMP_SHAPES
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
@@ -58,14 +94,16 @@ vec3 bpLampsIrradiance(vec3 position, vec3 normal)
   for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot]; }
   shares *= bpLampLit;
   vec3 sum = vec3(0.0f);
-  int i = 0;
-  // The end is asked for last: software renderers work a turn out before they leave a loop.
-  do
+  int left = bpLampsHere;
+  if (left != 0)
   {
-    int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
-    sum += bpLampWeight(lamp, shares) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
-    ++i;
-  } while (i < bpLampCount);
+    do
+    {
+      int lamp = bpFirstLamp(left);
+      sum += bpLampWeight(lamp, shares) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
+      left &= left - 1;
+    } while (left != 0);
+  }
   return sum;
 }
 #endif
@@ -78,13 +116,33 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
   for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot] * bpLampFree[slot]; }
   float byShape = lampsByShape(roughness);
   LampLobe lobe = lampLobe(normal, view, roughness);
-  int turns = byShape > 0.0f || bpLampColors > 0.5f ? bpLobeCount : 0;
-  for (int i = 0; i < turns; ++i)
+  int left = bpLobeCount > 0 && (byShape > 0.0f || bpLampColors > 0.5f) ? bpLampsHere : 0;
+  if (left != 0)
   {
-    int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
-    vec2 lit = bpLampWeight(lamp, shares) * lampGlossy(lamp, position, lobe);
-    light.lampsF0 += lit.x * bpLampLight[lamp];
-    light.lampsF90 += lit.y * bpLampLight[lamp];
+    int close = 0;  // too near for a glance
+    do
+    {
+      int lamp = bpFirstLamp(left);
+      float weight = bpLampWeight(lamp, shares);
+      LampGlance glance = lampGlossyGlance(lamp, position, lobe);
+      bool waits = glance.tooNear && weight > 0.0f;
+      close += waits ? 1 << lamp : 0;
+      vec2 lit = waits ? vec2(0.0f) : weight * glance.light;
+      light.lampsF0 += lit.x * bpLampLight[lamp];
+      light.lampsF90 += lit.y * bpLampLight[lamp];
+      left &= left - 1;
+    } while (left != 0);
+    if (close != 0)
+    {
+      do
+      {
+        int lamp = bpFirstLamp(close);
+        vec2 lit = bpLampWeight(lamp, shares) * lampGlossyNear(lamp, position, lobe);
+        light.lampsF0 += lit.x * bpLampLight[lamp];
+        light.lampsF90 += lit.y * bpLampLight[lamp];
+        close &= close - 1;
+      } while (close != 0);
+    }
   }
   light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, bpLampLight[0]);
   light.lampsF0 *= byShape;

@@ -147,6 +147,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   bpFindSights(position, BP_FACING);
 #endif
 //BP::AddSlots
+#if BP_LAMP_SHAPES || BP_LAMP_LOBES
+  bpFindLamps(position);
+#endif
 #if BP_LAMP_SHAPES
   light.irradiance += bpLampsIrradiance(position, BP_FACING);
 #endif

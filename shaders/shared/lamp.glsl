@@ -2,34 +2,19 @@
 // polygon is exact (Lambert 1760; Baum, Rushmeier and Winget 1989). Needs lamp_types.glsl; the host supplies, by LAMP_SLOT,
 //   int lampCornerCount(LAMP_SLOT lamp)         3 to kLampCorners
 //   vec3 lampCorner(LAMP_SLOT lamp, int i)      counterclockwise as the shining side is seen; the frame of the position
+//   vec3 lampMiddle(LAMP_SLOT lamp)             mean of the corners
+//   vec4 lampPlane(LAMP_SLOT lamp)              lampPlaneThrough the first three
 //   bool lampShinesBothSides(LAMP_SLOT lamp)
 //
 // Total: for finite input the result is finite.
 
-const float kLampPerTurn = 0.15915494f;  // 1 / (2 pi)
-
-// Of the edge between two points, first as a unit vector and the second by its offset, in lengths of the first: the angle between them
-// times the unit normal of their plane. By the offset, because the cross product of nearly equal vectors cancels.
-vec3 lampEdge(vec3 first, vec3 offset)
-{
-  vec3 c = cross(first, offset);
-  float sine = length(c);
-  return sine > 1.0e-18f ? atan(sine, 1.0f + dot(first, offset)) / sine * c : vec3(0.0f);
-}
-
 // On which side of the lamp a position lies: 1 on the shining one, -1 behind a lamp that shines both ways, else 0. A position in the
-// lamp's plane sees none of it; the least height, 1e-5 of the lamp's size, is above rounding.
+// lamp's plane sees none of it.
 float lampSide(LAMP_SLOT lamp, vec3 position)
 {
-  vec3 a = lampCorner(lamp, 0);
-  vec3 along = lampCorner(lamp, 1) - a;
-  float unit = 1.0f / max(length(along), 1.0e-30f);  // the first side counts as 1: products stay within a float's range
-  along = unit * along;
-  vec3 up = unit * (lampCorner(lamp, 2) - a);
-  vec3 n = cross(along, up);
-  float height = dot(n, unit * (position - a));
-  float least = 1.0e-5f * length(n) * (1.0f + length(up));
-  float side = height > least ? 1.0f : (height < -least ? -1.0f : 0.0f);
+  vec4 plane = lampPlane(lamp);
+  float height = dot(vec3(plane), position) + plane.w;
+  float side = height > 1.0f ? 1.0f : (height < -1.0f ? -1.0f : 0.0f);
   return lampShinesBothSides(lamp) ? side : max(side, 0.0f);
 }
 
@@ -50,11 +35,18 @@ struct LampOutline
   vec3 enters;
 };
 
-// An angle in turns over its sine, by its cosine, within 2e-6 of it; atan costs software renderers three times as much.
+// An angle of at most a right one, in turns over its sine, by its cosine, within 2e-6 of it; atan costs software renderers three times as
+// much.
+float lampAcuteTurn(float cosine)
+{
+  return (0.8543985f + (0.4965155f + 0.0145206f * cosine) * cosine) / (3.417594f + (4.1616724f + cosine) * cosine);
+}
+
+// The same of any angle up to half a turn.
 float lampTurnOverSine(float cosine)
 {
   float x = min(abs(cosine), 1.0f);
-  float acute = (0.8543985f + (0.4965155f + 0.0145206f * x) * x) / (3.417594f + (4.1616724f + x) * x);
+  float acute = lampAcuteTurn(x);
   return cosine > 0.0f ? acute : 0.5f / sqrt(max(1.0f - x * x, 1.0e-12f)) - acute;
 }
 
@@ -105,8 +97,12 @@ float lampDiffuse(LAMP_SLOT lamp, vec3 position, vec3 normal)
     i += 4;
   } while (i < count);
   // The arc that closes it along the horizon, less than half a turn, in the direction of the others.
-  float closing = abs(atan(dot(normal, cross(way.leaves, way.enters)), -dot(way.leaves, way.enters)));
-  bool cut = dot(way.leaves, way.leaves) > 0.0f && dot(way.enters, way.enters) > 0.0f;
+  float sizes = dot(way.leaves, way.leaves) * dot(way.enters, way.enters);
+  float size = 1.0f / sqrt(max(sizes, 1.0e-36f));
+  float cosine = -size * dot(way.leaves, way.enters);
+  float acute = size * abs(dot(normal, cross(way.leaves, way.enters))) * lampAcuteTurn(min(abs(cosine), 1.0f));
+  float closing = cosine > 0.0f ? acute : 0.5f - acute;
+  bool cut = sizes > 0.0f;
   float side = lampSide(lamp, position);
-  return side == 0.0f ? 0.0f : clamp((cut ? kLampPerTurn * closing : 0.0f) - side * way.sum, 0.0f, 1.0f);
+  return side == 0.0f ? 0.0f : clamp((cut ? closing : 0.0f) - side * way.sum, 0.0f, 1.0f);
 }

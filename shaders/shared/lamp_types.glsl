@@ -38,7 +38,14 @@ struct LampImage
 {
   LampFacet last;  // of the point reached last
   LampFacet pole;  // of the lamp's middle: triangles from here to each edge fill the image
-  vec3 factor;     // sum over edges of angle times unit normal, 2 pi times the vector form factor
+  vec3 factor;     // sum over edges of the angle in turns times the unit normal: the vector form factor
   vec2 weight;     // sums over the triangles: of weights times light,
   float light;     // and of light
+};
+
+// A lamp's reflection by the image of its corners, and whether the lamp is too near for that.
+struct LampGlance
+{
+  vec2 light;
+  bool tooNear;
 };

@@ -24,6 +24,8 @@ constexpr const char* kLamp =
     "vec3 gCorners[4];\n"
     "int lampCornerCount(int lamp) { return 4; }\n"
     "vec3 lampCorner(int lamp, int i) { return gCorners[i]; }\n"
+    "vec3 lampMiddle(int lamp) { return 0.25 * (gCorners[0] + gCorners[1] + gCorners[2] + gCorners[3]); }\n"
+    "vec4 lampPlane(int lamp) { return lampPlaneThrough(gCorners[0], gCorners[1], gCorners[2]); }\n"
     "bool lampShinesBothSides(int lamp) { return true; }\n";
 
 std::string text(std::initializer_list<std::string_view> files) {
@@ -54,7 +56,7 @@ TEST(LampParity, LampsShineTheSame) {
   }
   const auto gpu = test::evaluateOnGpu(
       window,
-      text({"shared/lamp_types.glsl", "shared/lobe_frame.glsl"}) + kLamp +
+      text({"shared/lamp_types.glsl", "shared/lobe_frame.glsl", "shared/lamp_plane.glsl"}) + kLamp +
           text({"shared/lamp.glsl", "shared/lamp_lobe.glsl"}),
       "  gCorners[0] = in2.xyz; gCorners[1] = in3.xyz; gCorners[2] = in4.xyz; gCorners[3] = in5.xyz;\n"
       "  vec2 glossy = lampGlossy(0, vec3(0.0), lampLobe(in0.xyz, in1.xyz, in0.w));\n"
@@ -120,7 +122,7 @@ TEST(LampParity, ExtremeLampsGiveAShareOfTheirLight) {
   }
   const auto gpu = test::evaluateOnGpu(
       window,
-      text({"shared/lamp_types.glsl", "shared/lobe_frame.glsl"}) + kLamp +
+      text({"shared/lamp_types.glsl", "shared/lobe_frame.glsl", "shared/lamp_plane.glsl"}) + kLamp +
           text({"shared/lamp.glsl", "shared/lamp_lobe.glsl"}),
       "  gCorners[0] = in2.xyz; gCorners[1] = in3.xyz; gCorners[2] = in4.xyz; gCorners[3] = in5.xyz;\n"
       "  out0 = vec4(lampGlossy(0, vec3(0.0), lampLobe(in0.xyz, in1.xyz, in0.w)), 0.0, 0.0);\n",

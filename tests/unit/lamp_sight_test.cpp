@@ -9,7 +9,10 @@
 #include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <random>
+
+#include "filters/core/geometry/lamp_reach.h"
 
 namespace {
 
@@ -368,6 +371,48 @@ TEST(LampSight, ADoorLetsTheNextRoomsLampIn) {
   EXPECT_LT(seen(dark, rooms.dark, dark.channelOfLamp(0), aside, up), 0.01);
   EXPECT_GT(seen(dark, rooms.dark, dark.channelOfSource(1), before, up), 0.9);
   EXPECT_LT(seen(dark, rooms.dark, dark.channelOfSource(1), aside, up), 0.01);
+}
+
+// Of small boxes in the dark room, and in the same turned by 30 degrees: what is said to see nothing of the lamp sees
+// nothing anywhere, and little is said to see it that does not.
+TEST(LampReach, LeavesOutWhatSeesNothing) {
+  const TwoRooms rooms(true);
+  for (const double degrees : {0.0, 30.0}) {
+    Probe probe = rooms.dark;
+    probe.rotationDegrees = {0.0, degrees, 0.0};
+    const auto sight = std::make_shared<const ProbeSight>(rooms.sight(probe));
+    const int channel = sight->channelOfLamp(0);
+    ASSERT_GE(channel, 0);
+    std::mt19937 random(11);
+    const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    LampReach reach;
+    int hidden = 0, shown = 0, idle = 0;
+    for (int i = 0; i < 300; ++i) {
+      const dvec3 low(in(-3.3, -0.4), in(-0.1, 2.2), in(-2.2, 2.0)), size(in(0.0, 0.5), in(0.0, 0.3), in(0.0, 0.6));
+      const std::array<double, 6> bounds = {low.x, low.x + size.x, low.y, low.y + size.y, low.z, low.z + size.z};
+      const bool said = reach.seen(sight, channel, bounds);
+      EXPECT_EQ(said, seenWithin(*sight, channel, bounds));
+      EXPECT_EQ(said, reach.seen(sight, channel, bounds)) << "asked again";
+      double most = 0.0;
+      for (int k = 0; k < 40; ++k) {
+        const dvec3 n = glm::normalize(dvec3(in(-1, 1), in(-1, 1), in(-1, 1)));
+        most = std::max(most, seen(*sight, probe, channel, low + size * dvec3(in(0, 1), in(0, 1), in(0, 1)), n));
+      }
+      if (!said) {
+        EXPECT_EQ(most, 0.0) << i;
+      }
+      hidden += said ? 0 : 1;
+      shown += most > 0.0 ? 1 : 0;
+      idle += said && most <= 0.0 ? 1 : 0;
+    }
+    std::printf("  %g degrees: %d hidden, %d shown, %d for nothing\n", degrees, hidden, shown, idle);
+    EXPECT_GT(hidden, 30);
+    EXPECT_GT(shown, 40);
+    EXPECT_LT(idle, 100);
+    EXPECT_FALSE(reach.seen(sight, kSeenByNone, {-1.0, -0.9, 0.0, 0.1, 0.0, 0.2}));
+    EXPECT_TRUE(reach.seen(sight, kSeenByAll, {-1.0, -0.9, 0.0, 0.1, 0.0, 0.2}));
+  }
+  EXPECT_TRUE(LampReach().seen(nullptr, 1, {-1.0, -0.9, 0.0, 0.1, 0.0, 0.2})) << "nothing is traced";
 }
 
 // Nothing stands in the room: no lattice, no fetch.

@@ -48,6 +48,11 @@ struct LampPolygon {
 
 namespace boxprobe::shading {
 
+/// Mean of the corners.
+vec3 lampMiddle(const LampPolygon* lamp);
+/// Its plane: normal and distance, such that heights above it count from 1 on (lamp_plane.glsl).
+vec4 lampPlane(const LampPolygon* lamp);
+
 /// Irradiance over pi of a surface at `position` with the unit normal `normal`, of a lamp of radiance 1: 0 to 1.
 float lampDiffuse(const LampPolygon* lamp, vec3 position, vec3 normal);
 

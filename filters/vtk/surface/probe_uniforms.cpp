@@ -16,6 +16,7 @@
 #include <map>
 #include <string>
 
+#include "filters/core/geometry/lamp_reach.h"
 #include "filters/core/picture/probe_color.h"
 #include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/draw/static_textures.h"
@@ -137,37 +138,6 @@ bool outOfReach(const SceneLamp& lamp, const UniformUpload& to, const PassSettin
          static_cast<double>(pass.exposure) * brightest * lamp.area / (kPi * distance * distance) < 0.2 * kDarkestStep;
 }
 
-// Opposite faces of a lamp that is a box: where one is seen, the other is not, and both are worked out in one turn.
-// Orders `drawn` by turns, then the others of turns; returns how many turns there are.
-std::size_t pairLamps(const std::vector<SceneLamp>& lamps, std::vector<std::size_t>& drawn, int* other) {
-  const auto backToBack = [&](std::size_t a, std::size_t b) {
-    const SceneLamp &first = lamps[a], &second = lamps[b];
-    return !first.bothSides && !second.bothSides && glm::dot(first.normal, second.normal) < -0.9999999 &&
-           glm::dot(second.middle - first.middle, first.normal) <= 0.0;
-  };
-  std::vector<std::size_t> firsts, seconds;
-  std::vector<bool> paired(drawn.size(), false);
-  std::vector<std::ptrdiff_t> partner;
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    if (paired[i]) continue;
-    firsts.push_back(drawn[i]);
-    partner.push_back(-1);
-    for (std::size_t k = i + 1; k < drawn.size(); ++k) {
-      if (paired[k] || !backToBack(drawn[i], drawn[k])) continue;
-      paired[k] = true;
-      partner.back() = static_cast<std::ptrdiff_t>(seconds.size());
-      seconds.push_back(drawn[k]);
-      break;
-    }
-  }
-  for (std::size_t i = 0; i < firsts.size(); ++i) {
-    other[i] = static_cast<int>(partner[i] < 0 ? i : firsts.size() + static_cast<std::size_t>(partner[i]));
-  }
-  drawn = firsts;
-  drawn.insert(drawn.end(), seconds.begin(), seconds.end());
-  return firsts.size();
-}
-
 // What the slot sees of lamps and light sources. In a first capture the first slot has what the capture does.
 const std::shared_ptr<const ProbeSight>& sightOf(const PassSettings& pass, const ProbeBinding& binding,
                                                  std::size_t slot) {
@@ -186,6 +156,18 @@ glm::vec4 lampChannels(const PassSettings& pass, const ProbeBinding& binding, st
   return channels;
 }
 
+// Nothing on the object sees the lamp.
+bool hiddenEverywhere(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, std::size_t slot,
+                      std::size_t lamp) {
+  const double* b = to.boundsWorld;
+  const auto& sight = sightOf(state.pass(), binding, slot);
+  if (!binding.sights() || !sight || b == nullptr || b[0] > b[1]) return false;
+  const int channel = sight->channelOfLamp(lamp);
+  if (channel >= 0 && !state.resources.sights->place(sight)) return false;  // without a lattice all is seen
+  thread_local LampReach known;
+  return !known.seen(sight, channel, {b[0], b[1], b[2], b[3], b[4], b[5]});
+}
+
 // Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes. Where maps show no
 // lamps, so that reflections need them, those as well.
 void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
@@ -197,7 +179,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   std::map<std::size_t, glm::vec4> lampOf;  // by falling power
   const auto addLamps = [&](const std::vector<std::size_t>& which, std::size_t slot) {
     for (const std::size_t lamp : which) {
-      const bool reaches = !outOfReach(lamps->lamps[lamp], to, state.pass(), binding.lampLobes);
+      const bool reaches = !outOfReach(lamps->lamps[lamp], to, state.pass(), binding.lampLobes) &&
+                           !hiddenEverywhere(to, state, binding, slot, lamp);
       if (reaches) lampOf[lamp][static_cast<int>(slot)] = 1.0f;
     }
   };
@@ -241,20 +224,21 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   if (binding.lampLobes) to.program->SetUniform1fv("bpLampFree", static_cast<int>(count), free.data());
   constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
   std::array<glm::vec3, kLamps * kCorners> corners{};
-  std::array<glm::vec3, kLamps> light{};
-  std::array<glm::vec4, kLamps> slots{}, channels{};
-  std::array<int, kLamps> shape{}, other{};
+  std::array<glm::vec3, kLamps> light{}, middle{};
+  std::array<glm::vec4, kLamps> slots{}, channels{}, plane{};
+  std::array<int, kLamps> shape{};
   shape[0] = 3;  // the loop has one turn at least: of a lamp that is a point and gives nothing
   std::vector<std::size_t> drawn;
   for (const auto& entry : lampOf) {
     if (drawn.size() < kLamps) drawn.push_back(entry.first);
   }
-  const std::size_t turns = pairLamps(lamps->lamps, drawn, other.data());
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     const SceneLamp& lamp = lamps->lamps[drawn[k]];
     const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
     std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(k * kCorners));
     shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
+    middle[k] = shading::lampMiddle(&polygon);
+    plane[k] = shading::lampPlane(&polygon);
     light[k] = glm::vec3(lamp.radiance);
     slots[k] = lampOf[drawn[k]];
     channels[k] = lampChannels(state.pass(), binding, drawn[k]);
@@ -266,12 +250,13 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
       return glm::length(glm::normalize(l) - glm::normalize(light[0])) > 1.0e-3f;
     });
     to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
-    to.program->SetUniformi("bpLobeCount", state.pass().capture ? 0 : static_cast<int>(turns));
+    to.program->SetUniformi("bpLobeCount", state.pass().capture ? 0 : static_cast<int>(drawn.size()));
   }
   to.program->SetUniformf("bpLampsWhole", state.pass().firstBounce ? 1.0f : 0.0f);
-  to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
-  to.program->SetUniform1iv("bpLampOther", static_cast<int>(used), other.data());
+  to.program->SetUniformi("bpLampCount", static_cast<int>(drawn.size()));
   vectors("bpLampCorner", corners.data(), used * kCorners);
+  vectors("bpLampMiddle", middle.data(), used);
+  to.program->SetUniform4fv("bpLampPlane", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&plane[0].x));
   vectors("bpLampLight", light.data(), used);
   to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
   to.program->SetUniform4fv("bpLampOf", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&slots[0].x));
