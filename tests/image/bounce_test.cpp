@@ -86,7 +86,9 @@ TEST(Bounces, AllEndByThemselves) {
   Model model;
   Material wall = mirror();
   wall.baseColor = glm::vec4(glm::vec3(kReflected), 1.0f);
+  wall.metallic = 0.0f;
   wall.roughness = 1.0f;
+  wall.specular = wall.finish.specularEdge = 0.0f;
   wall.emissive = {0.9f, 0.5f, 0.2f};
   for (int side = 0; side < 6; ++side) {
     glm::vec3 middle(0.0f), u(0.0f), v(0.0f);
