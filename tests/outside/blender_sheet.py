@@ -8,6 +8,7 @@ usage: blender -b --factory-startup --python-exit-code 1 --python blender_sheet.
   --without NAME[,NAME] left out unless its picture is there: a sheet without EEVEE is drawn in seconds
   --path RAYS           the program's own path tracer as well, held against Cycles by the same figures (default 0: not)
   --set FIELD=VALUE     for boxprobe render, may be repeated
+  --better              an error where EEVEE's picture is nearer to Cycles' than ours
 
 Cycles has all bounces. EEVEE has an irradiance volume and a reflection cubemap for each probe, area lamps where surfaces shine.
 OUT gets linear EXRs and SCENE.png: boxprobe, EEVEE, Cycles in a row for each camera, by the scene's exposure and tone, and
@@ -100,6 +101,7 @@ def main():
     reader.add_argument("--without", default="")
     reader.add_argument("--path", type=int, default=0)
     reader.add_argument("--set", action="append", default=[])
+    reader.add_argument("--better", action="store_true")
     options = reader.parse_args(sys.argv[sys.argv.index("--") + 1 :])
     options.scene, options.out = options.scene.resolve(), options.out.resolve()
     options.out.mkdir(parents=True, exist_ok=True)
@@ -134,20 +136,28 @@ def main():
             blender_lights.set_camera(described["cameras"][camera])
             blender_lights.draw(file(camera, "eevee"))
 
-    rows, offs = [], []
+    rows, offs, lost = [], [], []
     print("%-12s %-8s %-9s light   RMSE  within 10 %%  noise of Cycles" % ("scene", "camera", "renderer"))
     for camera in cameras:
         pair = [blender_lights.read(file(camera, "cycles-%d" % seed)) for seed in (11, 23)]
         truth, noise = 0.5 * (pair[0] + pair[1]), 0.25 * ((pair[0] - pair[1]) ** 2).sum()
         drawn = {what: blender_lights.read(file(camera, what)) for what in ("boxprobe", "path", "eevee") if file(camera, what).exists()}
+        errors = {}
         for what, picture in drawn.items():
             light, rmse, near = figures(truth, noise, picture)
+            errors[what] = rmse
             print("%-12s %-8s %-9s %.3f  %.3f   %5.1f %%   %.3f" % (name, camera, what, light, rmse, 100 * near, (noise / (truth**2).sum()) ** 0.5))
+        if errors.get("eevee", errors["boxprobe"]) < errors["boxprobe"]:
+            lost.append(camera)
         shown = [drawn[what] for what in ("boxprobe", "eevee") if what in drawn]
         rows.append([displayed(picture, described) for picture in [*shown, truth]])
         offs.append([off(picture, truth) for picture in shown])
     save(rows, options.out / (name + ".png"))
     save(offs, options.out / (name + "-off.png"))
+    if options.better and "eevee" not in errors:
+        sys.exit("blender_sheet.py: EEVEE drew nothing to compare")
+    if options.better and lost:
+        sys.exit("blender_sheet.py: EEVEE's picture is nearer to Cycles': " + ", ".join(lost))
 
 
 main()

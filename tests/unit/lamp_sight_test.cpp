@@ -425,8 +425,8 @@ TEST(ProbeReach, GoesThroughOpeningsOnly) {
 // Within the door, between both boxes, nodes tell the lamp's light from its shadow as rays do.
 TEST(ProbeReach, ADoorwayHasNodesOfItsOwn) {
   TwoRooms rooms(true);
-  // A post hides the lamp from one half of the doorway's floor alone.
-  rooms.world.things.push_back({{0.35, 0.0, 0.02}, {0.45, 2.0, 0.62}});
+  // A board hides the lamp from the farther half of the doorway's depth, and not from the nearer one.
+  rooms.world.things.push_back({{0.39, 0.88, -0.6}, {0.41, 1.4, 0.55}});
   const auto error = [&](bool reaches) {
     if (reaches) rooms.lit.influence = {{-0.2, 0.0, -2.1}, {3.4, 2.6, 2.4}};
     const std::atomic<bool> cancelled{false};
@@ -447,7 +447,7 @@ TEST(ProbeReach, ADoorwayHasNodesOfItsOwn) {
   };
   const double before = error(false), after = error(true);
   std::printf("  error of the lamp's share within the doorway: %.3f, without nodes of its own %.3f\n", after, before);
-  EXPECT_LT(after, 0.75 * before);
+  EXPECT_LT(after, 0.85 * before);
 }
 
 }  // namespace

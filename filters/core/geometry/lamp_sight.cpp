@@ -426,6 +426,7 @@ Box openBox(const SightLines& lines, const SightTask& task) {
   const glm::dvec3 middle = task.box.center(), half = 0.5 * task.box.size();
   const glm::dmat3 worldFromBox = rotationMatrix(task.rotationDegrees);
   const ProbeReach reach = openReach(task.reach, lines, middle, worldFromBox, -half, half);
+  if (reach.none()) return task.box;
   const glm::dvec3 at = middle + worldFromBox * (0.5 * (reach.high - reach.low));
   const glm::dvec3 wider = half + 0.5 * (reach.high + reach.low);
   return {at - wider, at + wider};

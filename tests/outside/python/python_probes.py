@@ -98,11 +98,6 @@ class Calls(unittest.TestCase):
         self.assertEqual(probe.bounds, (0, 2, 0, 2, 0, 4))
         self.assertEqual(probe.origin, (1, 1, 2))
         self.assertEqual((probe.technique, probe.blend_distance, probe.name, probe.bounces), ("sphere", 0.5, "hall", 2))
-        probe.bounces = "all"
-        self.assertEqual((probe.bounces, probe.GetBounces()), ("all", 16))
-        with self.assertRaises(TypeError):
-            probe.bounces = "some"
-        probe.bounces = 2
         self.assertIsNone(probe.influence_bounds)
         probe.influence_bounds = (0, 1, 0, 1, 0, 1)
         self.assertEqual(probe.influence_bounds, (0, 1, 0, 1, 0, 1))
