@@ -79,8 +79,8 @@ TEST(Bounces, FacesThatShowNothingAProbeLightsAreKept) {
   EXPECT_EQ(world.reused(), 5u + 5u);
 }
 
-// Six metal walls of one room, each reflecting .62 of what comes and one of them shining: light L is E + .62 L all
-// over, so that bounce n lacks .62^n of it. They end where one brings less than 1 % of what all have brought.
+// Six matt walls of one room, each scattering .62 of what comes and shining itself: light L is E + .62 L all over, so
+// that bounce n lacks .62^n of it. They end where one brings less than 1 % of what all have brought.
 TEST(Bounces, AllEndByThemselves) {
   constexpr float kReflected = 0.62f, kHalf = 1.3f;
   Model model;
@@ -100,7 +100,8 @@ TEST(Bounces, AllEndByThemselves) {
   const auto light = [&](int bounces, std::uint64_t& faces) {
     Scene scene = darkScene();
     scene.lamps = LampForm::InMap;
-    scene.probes = {cubeProbe("room", {0.2, -0.1, 0.3}, static_cast<double>(kHalf))};
+    scene.probes = {cubeProbe("room", glm::dvec3(0.0), static_cast<double>(kHalf))};
+    scene.probes[0].origin = {0.2, -0.1, 0.3};
     scene.probes[0].bounces = bounces;
     QuadWorld world(scene, {model});
     world.show();
