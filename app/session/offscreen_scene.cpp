@@ -37,8 +37,11 @@ void OffscreenScene::show(const Scene& scene, const Models& models, const ShownS
   models_ = models;
   if (settings.camera) renderer_->applyCamera(*settings.camera);
   renderer_->setView(settings.view);
-  if (settings.bakeTargets != bakeTargets_) renderer_->setBakeTargets(settings.bakeTargets);
+  if (settings.bakeTargets != bakeTargets_ || settings.cutShort != cutShort_) {
+    renderer_->setBakeTargets(settings.bakeTargets, settings.cutShort);
+  }
   bakeTargets_ = settings.bakeTargets;
+  cutShort_ = settings.cutShort;
   if (!renderer_->pictureError().empty()) throw InputError(renderer_->pictureError());
 }
 
@@ -79,6 +82,7 @@ void OffscreenScene::forget() {
   models_.clear();
   bakedFolder_.clear();
   bakeTargets_.clear();
+  cutShort_.clear();
 }
 
 }  // namespace boxprobe

@@ -24,6 +24,7 @@ struct ShownSettings {
   std::string bakedFolder = {};       ///< its baked files are used in place of captures; empty: none are
   /// The work is to make these baked probes and no more; empty: everything that the picture needs.
   std::vector<std::string> bakeTargets = {};
+  std::vector<std::string> cutShort = {};  ///< of those, as SceneRenderer::setBakeTargets has them
   SurfaceViewSettings view = {};
 };
 
@@ -68,7 +69,7 @@ class OffscreenScene {
   std::optional<Scene> shown_;
   Models models_;  ///< of `shown_`
   std::string bakedFolder_;
-  std::vector<std::string> bakeTargets_;
+  std::vector<std::string> bakeTargets_, cutShort_;
 };
 
 }  // namespace boxprobe

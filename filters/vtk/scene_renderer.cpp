@@ -281,9 +281,9 @@ void SceneRenderer::useBakedFiles(const std::string& folder) {
   impl_->probes.useBakedFiles(folder);
 }
 
-void SceneRenderer::setBakeTargets(const std::vector<std::string>& probes) {
+void SceneRenderer::setBakeTargets(const std::vector<std::string>& probes, const std::vector<std::string>& cutShort) {
   impl_->makeCurrent();
-  impl_->probes.setBakeTargets(probes);
+  impl_->probes.setBakeTargets(probes, cutShort);
 }
 
 void SceneRenderer::requestBake(const std::vector<std::string>& probes) {

@@ -185,8 +185,9 @@ class BOXPROBE_EXPORT SceneRenderer {
   /// read once, in this call.
   void useBakedFiles(const std::string& folder);
   /// Restricts the work to these baked probes, whether or not objects use them; those with a valid file are not even
-  /// loaded. Empty (default): everything that the picture needs.
-  void setBakeTargets(const std::vector<std::string>& probes);
+  /// loaded. Empty (default): everything that the picture needs. `cutShort`: those of them whose later bounces another
+  /// run makes, from the files of this one's.
+  void setBakeTargets(const std::vector<std::string>& probes, const std::vector<std::string>& cutShort = {});
   /// Makes these probes again although nothing has changed; reads a custom probe's picture again.
   void requestBake(const std::vector<std::string>& probes);
   BakeState bakeState(const std::string& probeName) const;

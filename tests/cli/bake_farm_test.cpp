@@ -46,6 +46,8 @@ class BakeFarm : public ::testing::Test {
     Json probe = scene["probes"][0];
     probe["faceSize"] = 16;
     probe["bounces"] = bounces;
+    // Open to a sky: a first capture of several has none of its light.
+    scene["sky"]["color"] = {0.7, 0.9, 1.3};
     scene["probes"] = Json::array();
     for (const char* name : {"a", "b", "big"}) {
       probe["name"] = name;
@@ -126,6 +128,9 @@ TEST_F(BakeFarm, BouncesOneAtATimeContinueFromFiles) {
   EXPECT_EQ(bake({"--check", "--bounce", "1"}).exitStatus, 0);
   EXPECT_THAT(files("out"), ElementsAre("_sky.exr", "a~1.exr", "big~1.exr", "b~1.exr"));
   EXPECT_EQ(list()[0]["bounce"], 1);
+  EXPECT_THAT(bake({"--list"}).out, HasSubstr(" of texture memory, its lattice included\n"));
+  // The only capture of a single bounce has the sky's light: none of these.
+  EXPECT_EQ(bake({"--check", "--set", "probes.a.bounces=1", "--only", "a"}).exitStatus, 3);
 
   const Outcome second = bake({"--bounce", "2", "--shard", "1/2", "--json"});
   ASSERT_EQ(second.exitStatus, 0) << second.err;

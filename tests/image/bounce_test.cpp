@@ -1,6 +1,7 @@
 // Two facing mirrors, each in a bright frame: how deep the frames nest with each bounce, and what a bounce costs.
 #include <gtest/gtest.h>
 
+#include "filters/core/scene/bounces.h"
 #include "tests/image/quad_world.h"
 #include "tests/support/scene_picture.h"
 
@@ -76,6 +77,50 @@ TEST(Bounces, FacesThatShowNothingAProbeLightsAreKept) {
   world.show();
   EXPECT_EQ(world.faces(), 6u + 1u + 1u);
   EXPECT_EQ(world.reused(), 5u + 5u);
+}
+
+// Six matt walls of one room, each scattering .62 of what comes and shining itself: light L is E + .62 L all over, so
+// that bounce n lacks .62^n of it. They end where one brings less than 1 % of what all have brought.
+TEST(Bounces, AllEndByThemselves) {
+  constexpr float kReflected = 0.62f, kHalf = 1.3f;
+  Model model;
+  Material wall = mirror();
+  wall.baseColor = glm::vec4(glm::vec3(kReflected), 1.0f);
+  wall.metallic = 0.0f;
+  wall.roughness = 1.0f;
+  wall.specular = wall.finish.specularEdge = 0.0f;
+  wall.emissive = {0.9f, 0.5f, 0.2f};
+  for (int side = 0; side < 6; ++side) {
+    glm::vec3 middle(0.0f), u(0.0f), v(0.0f);
+    middle[side / 2] = side % 2 == 0 ? kHalf : -kHalf;
+    u[(side / 2 + 1) % 3] = side % 2 == 0 ? -kHalf : kHalf;
+    v[(side / 2 + 2) % 3] = kHalf;
+    addSquare(model, "wall " + std::to_string(side), middle, u, v, wall);
+  }
+  const auto light = [&](int bounces, std::uint64_t& faces) {
+    Scene scene = darkScene();
+    scene.lamps = LampForm::InMap;
+    scene.probes = {cubeProbe("room", glm::dvec3(0.0), static_cast<double>(kHalf))};
+    scene.probes[0].origin = {0.2, -0.1, 0.3};
+    scene.probes[0].bounces = bounces;
+    QuadWorld world(scene, {model});
+    world.show();
+    EXPECT_EQ(world.renderer->error(), "");
+    EXPECT_EQ(world.renderer->bakeState("room"), BakeState::UpToDate);
+    faces = world.faces();
+    return static_cast<double>(world.renderer->readMaps("room")->radiance.texel(0, 2, 9, 14).x);
+  };
+  std::uint64_t five = 0, all = 0;
+  const double atFive = light(5, five), atAll = light(kAllBounces, all);
+  std::printf("light by 5 bounces %.4f, by all %.4f (%llu faces)\n", atFive, atAll,
+              static_cast<unsigned long long>(all));
+  EXPECT_EQ(five, 30u);
+  EXPECT_GT(all, 36u) << "five are not all here";
+  EXPECT_LT(all, 6u * kAllBounces) << "they end before the last";
+  EXPECT_GT(atAll, 1.02 * atFive);
+  // What is left is a geometric series: at most 1 % r / (1 - r) of all that bounces bring.
+  const double ratio = 0.62, whole = 0.9 / (1.0 - ratio);
+  EXPECT_NEAR(atAll / whole, 1.0, 0.04);
 }
 
 // As if all had been made at once: the faces that are kept are the right ones.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "filters/core/scene/bounces.h"
 #include "filters/io/scene/scene_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
@@ -43,6 +44,30 @@ TEST(SceneParse, LightsThatThrowShadowsATurnedSkyAndAnOpenProbe) {
   EXPECT_EQ(parseScene(sceneText(scene, "folder"), "scene.json", "folder"), scene);
   EXPECT_NE(problem(R"("lights": [{"type": "point", "angleDegrees": 2}])").find("use \"radius\""), std::string::npos);
   EXPECT_NE(problem(R"("lights": [{"type": "point", "shadows": "soft"}])").find("coverage"), std::string::npos);
+}
+
+TEST(SceneParse, BouncesMayBeAll) {
+  const std::string box = R"("name": "hall", "box": {"min": [-1, -2, -3], "max": [4, 5, 6]})";
+  const auto with = [&](const std::string& bounces) {
+    return R"("probes": [{)" + box + R"(, "bounces": )" + bounces + "}]";
+  };
+  const Scene scene = parsed(with(R"("all")"));
+  EXPECT_TRUE(allBounces(scene.probes[0]));
+  EXPECT_EQ(mostBounces(scene), std::nullopt);
+  const std::string text = sceneText(scene, "folder");
+  EXPECT_NE(text.find(R"("bounces": "all")"), std::string::npos) << text;
+  EXPECT_EQ(parseScene(text, "scene.json", "folder"), scene);
+  EXPECT_EQ(mostBounces(parsed(with("4"))), 4);
+  const std::string must = "probes.hall.bounces: must be a whole number from 1 to 5, or \"all\"";
+  for (const char* bad : {R"("al")", R"("")", "16", "2.5", "true", "null", "[3]"}) {
+    EXPECT_NE(problem(with(bad)).find(must), std::string::npos) << bad << ": " << problem(with(bad));
+  }
+  for (const char* bad : {"0", "6", "-1", "17"}) {
+    const std::string said = problem(with(bad));
+    EXPECT_NE(said.find(std::string("probes.hall.bounces: is ") + bad + " and must be from 1 to 5, or \"all\""),
+              std::string::npos)
+        << said;
+  }
 }
 
 TEST(SceneParse, ReadsEveryKeyOfAProbe) {

@@ -439,4 +439,60 @@ TEST(LampSight, NodesAreBounded) {
   EXPECT_EQ(sightNodes({0.008, 0.004, 0.006}), glm::ivec3(17, 9, 13));  // a room of millimetres
 }
 
+// Where an influence goes on through a door so do the nodes, and only there.
+TEST(ProbeReach, GoesThroughOpeningsOnly) {
+  TwoRooms rooms(true);
+  rooms.lit.influence = {{-0.15, -0.3, -2.25}, {3.7, 2.7, 2.5}};  // beyond by .25, .3, .15; .3, .1, .1
+  const SightTask task = sightTask(rooms.scene, rooms.lamps, rooms.lit);
+  EXPECT_NEAR(task.reach.low.x, 0.25, 1e-12);
+  EXPECT_NEAR(task.reach.low.y, 0.3, 1e-12);
+  EXPECT_NEAR(task.reach.low.z, 0.15, 1e-12);
+  EXPECT_NEAR(task.reach.high.x, 0.3, 1e-12);
+  EXPECT_EQ(task.reach.high.y, 0.0) << "a wall's skin";
+  EXPECT_EQ(task.reach.high.z, 0.0);
+  const Box open = openBox(rooms.world, task);
+  EXPECT_NEAR(open.min.x, -0.15, 1e-12);
+  EXPECT_NEAR(open.max.x, 3.4, 1e-12);
+  EXPECT_NEAR(open.min.y, 0.0, 1e-12);
+  EXPECT_NEAR(open.min.z, -2.1, 1e-12);
+  EXPECT_NEAR(open.max.z, 2.4, 1e-12);
+  const TwoRooms closed(false);
+  EXPECT_EQ(openBox(closed.world, task), rooms.lit.box);
+
+  // A box that is turned about its middle reaches along its own axes, and no farther than a wall is thick.
+  rooms.lit.rotationDegrees = {0, 180, 0};
+  rooms.lit.influence = {{0.05, 0.0, -2.1}, {9.0, 2.6, 2.4}};
+  const Box turned = openBox(rooms.world, sightTask(rooms.scene, rooms.lamps, rooms.lit));
+  EXPECT_NEAR(turned.min.x, -0.3, 1e-12);
+  EXPECT_NEAR(turned.max.x, 3.4, 1e-12);
+}
+
+// Within the door, between both boxes, nodes tell the lamp's light from its shadow as rays do.
+TEST(ProbeReach, ADoorwayHasNodesOfItsOwn) {
+  TwoRooms rooms(true);
+  // A board hides the lamp from the farther half of the doorway's depth, and not from the nearer one.
+  rooms.world.things.push_back({{0.39, 0.88, -0.6}, {0.41, 1.4, 0.55}});
+  const auto error = [&](bool reaches) {
+    if (reaches) rooms.lit.influence = {{-0.2, 0.0, -2.1}, {3.4, 2.6, 2.4}};
+    const std::atomic<bool> cancelled{false};
+    SightTask task = sightTask(rooms.scene, rooms.lamps, rooms.lit);
+    task.box = openBox(rooms.world, task);
+    const ProbeSight sight = probeSight(rooms.world, task, cancelled);
+    double sum = 0.0;
+    int count = 0;
+    for (int i = 0; i < 64; ++i) {
+      const dvec3 p(-0.15 + 0.2 * (i % 8) / 7.0, 0.4, -0.45 + 0.8 * static_cast<double>(i / 8) / 7.0);
+      const dvec3 towards = rooms.lamps.lamps[0].middle;
+      const double due = rooms.world.blocked(p, towards, true) ? 0.0 : 1.0;
+      const double share = seen(sight, rooms.lit, sight.channelOfLamp(0), p, {0, 1, 0});
+      sum += (share - due) * (share - due);
+      ++count;
+    }
+    return std::sqrt(sum / count);
+  };
+  const double before = error(false), after = error(true);
+  std::printf("  error of the lamp's share within the doorway: %.3f, without nodes of its own %.3f\n", after, before);
+  EXPECT_LT(after, 0.85 * before);
+}
+
 }  // namespace

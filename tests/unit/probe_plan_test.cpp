@@ -255,6 +255,30 @@ TEST(ProbePlan, BeforeTheSkyIsNeverTheLastBounce) {
   }
 }
 
+// It is another picture than the only one of a single bounce, also where another run makes those that follow.
+TEST(ProbePlan, BeforeTheSkyIsNoSingleBounce) {
+  ThreeRooms rooms(3);
+  CaptureWorld world = rooms.plan.world();
+  world.lattices = true;
+  for (const bool sky : {false, true}) {
+    world.latticeSky = sky ? world.sky : std::string();
+    rooms.scene.probes[0].bounces = 3;
+    rooms.plan.setCutShort({});
+    rooms.plan.setWorld(world);
+    rooms.plan.updateKeys();
+    const std::string first = rooms.plan.bounces().key(0, 1), face = rooms.plan.faceKey(0, 1, 2);
+    rooms.scene.probes[0].bounces = 1;
+    rooms.plan.updateKeys();
+    EXPECT_EQ(rooms.plan.bounces().finalKey(0) != first, sky);
+    EXPECT_EQ(rooms.plan.faceKey(0, 1, 2) != face, sky);
+    rooms.plan.setCutShort({"near"});
+    rooms.plan.setWorld(world);
+    rooms.plan.updateKeys();
+    EXPECT_EQ(rooms.plan.bounces().finalKey(0), first);
+    EXPECT_EQ(rooms.plan.faceKey(0, 1, 2), face);
+  }
+}
+
 TEST(ProbePlan, AnEditMakesWhatShowsItAgain) {
   ThreeRooms rooms(1);
   rooms.makeAll();

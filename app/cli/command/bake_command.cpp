@@ -25,6 +25,7 @@
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/nearest_name.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
 
@@ -134,15 +135,15 @@ std::map<std::string, int> limitBounces(Scene& scene, const std::vector<Probe>& 
 }
 
 /// Lists, checks or merges; true if that was all.
-bool reportOnly(const BakeOptions& options, const std::vector<Probe>& probes, const OffscreenScene& shown,
-                const std::string& folder) {
+bool reportOnly(const BakeOptions& options, const std::vector<Probe>& probes, LampForm lamps,
+                const OffscreenScene& shown, const std::string& folder) {
   if (!options.list && !options.check && !options.merge) return false;
   std::vector<BakeRow> rows = bakeRows(shown, probes, BakeFolder(folder));
   if (options.list) {
     if (options.report.json)
       printDocument(bakeListJson(rows));
     else
-      printResult(bakeListText(rows, probes, folder));
+      printResult(bakeListText(rows, probes, folder, lamps == LampForm::Shapes));
     return true;
   }
   if (options.merge) {
@@ -203,7 +204,7 @@ void runBake(const BakeOptions& options) {
   settings.bakedFolder = folder;
   settings.bakeTargets = namesOf(chosen);
   shown.show(loaded.scene, loaded.models, settings);
-  if (reportOnly(options, chosen, shown, folder)) return;
+  if (reportOnly(options, chosen, loaded.scene.lamps, shown, folder)) return;
 
   requireOutputFolder("-o", folder);
   const std::vector<std::string> probes = share ? probesOfShare(chosen, *share) : namesOf(chosen);
@@ -214,6 +215,7 @@ void runBake(const BakeOptions& options) {
   std::map<std::string, int> earlier;
   if (options.bounce > 0) earlier = limitBounces(loaded.scene, chosen, options.bounce, shown);
   settings.bakeTargets = probes;
+  for (const auto& [name, bounce] : earlier) settings.cutShort.push_back(name);
   if (!probes.empty()) shown.show(loaded.scene, loaded.models, settings);
   std::vector<std::string> files;
   if (!probes.empty()) files = bakeProbes(shown, probes, earlier, folder, interrupt, options.report.quiet);
@@ -250,7 +252,7 @@ void addFarmOptions(CLI::App& command, BakeOptions& options) {
   command
       .add_option("--bounce", options.bounce,
                   "Go no further than this bounce; the next one continues from its files (default: all bounces)")
-      ->check(CLI::Range(1, 5).description(""))
+      ->check(CLI::Range(1, kAllBounces).description(""))
       ->type_name("B");
   auto* list = command.add_flag("--list", options.list, "List probes and what of them is done; bake nothing");
   auto* check = command.add_flag("--check", options.check, "Exit status 3, and names, unless all is done");

@@ -22,6 +22,7 @@
 #include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/core/scene/material_override.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
@@ -47,9 +48,7 @@ std::optional<int> bouncesOf(const RenderOptions& options, const Scene& scene) {
   if (options.bounces == "all") return std::nullopt;
   if (options.bounces.empty()) {
     if (scene.probes.empty()) return std::nullopt;
-    int most = 1;
-    for (const Probe& probe : scene.probes) most = std::max(most, probe.bounces);
-    return most;
+    return mostBounces(scene);
   }
   constexpr int kMost = 1000;
   int bounces = 0;

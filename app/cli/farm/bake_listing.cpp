@@ -31,11 +31,12 @@ std::vector<BakeRow> bakeRows(const OffscreenScene& shown, const std::vector<Pro
   return rows;
 }
 
-std::string bakeListText(const std::vector<BakeRow>& rows, const std::vector<Probe>& probes,
-                         const std::string& folder) {
+std::string bakeListText(const std::vector<BakeRow>& rows, const std::vector<Probe>& probes, const std::string& folder,
+                         bool lattices) {
   std::string text;
   double seconds = 0.0, bytes = 0.0;
   std::size_t done = 0, memory = 0;
+  bool latticed = false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const BakeRow& row = rows[i];
     text += row.state + std::string(9 - row.state.size(), ' ') + row.name;
@@ -49,12 +50,15 @@ std::string bakeListText(const std::vector<BakeRow>& rows, const std::vector<Pro
       seconds += row.seconds;
       bytes += bakeBytes(probes[i]);
     }
-    memory = std::max(memory, probeMapsBytes(probes[i].faceSize, true) * (row.bounces > 1 ? 2 : 1));
+    const bool several = row.bounces > 1;
+    latticed |= lattices && several;
+    const std::size_t lattice = lattices && several ? latticeBytes(probes[i].box.size()) + latticeAtlasBytes(1) : 0;
+    memory = std::max(memory, probeMapsBytes(probes[i].faceSize, true) * (several ? 2 : 1) + lattice);
   }
   return text + folder + ": " + std::to_string(done) + " of " + std::to_string(rows.size()) +
          " baked probe(s) done; the rest takes about " + fixedText(seconds, 1) + " s of CPU time and " +
          memoryText(static_cast<std::size_t>(bytes)) + " of files, and a probe " + memoryText(memory) +
-         " of texture memory\n";
+         " of texture memory" + (latticed ? ", its lattice included" : "") + "\n";
 }
 
 std::string bakeListJson(const std::vector<BakeRow>& rows) {

@@ -29,8 +29,9 @@ class WorkLeft : public Error {
 /// Of these probes, in this order; `shown` has them as bake targets. Each file is read whole, for its checksum.
 std::vector<BakeRow> bakeRows(const OffscreenScene& shown, const std::vector<Probe>& probes, const BakeFolder& folder);
 
-/// A line each, and a sum; or JSON, a line each.
-std::string bakeListText(const std::vector<BakeRow>& rows, const std::vector<Probe>& probes, const std::string& folder);
+/// A line each, and a sum; or JSON, a line each. `lattices`: later bounces are lit by them (not with lamps in the map).
+std::string bakeListText(const std::vector<BakeRow>& rows, const std::vector<Probe>& probes, const std::string& folder,
+                         bool lattices);
 std::string bakeListJson(const std::vector<BakeRow>& rows);
 
 /// Throws WorkLeft naming what is not done up to `bounce` (0: all).

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "filters/core/geometry/scene_lamps.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/io/cube/sky_picture.h"
 #include "filters/vtk/capture/prefilter.h"
 
@@ -153,7 +154,7 @@ Json probeReport(const Scene& scene, const SceneLamps& lamps, const Probe& probe
           {"technique", probe.technique},
           {"projection", probe.projection},
           {"faceSize", probe.faceSize},
-          {"bounces", probe.bounces},
+          {"bounces", allBounces(probe) ? Json("all") : Json(probe.bounces)},
           {"textureBytes", probeTextureBytes(probe.faceSize, lit)}};
 }
 

@@ -16,6 +16,7 @@
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
+#include "filters/core/scene/bounces.h"
 
 namespace boxprobe {
 
@@ -86,6 +87,7 @@ void CapturePanel::buildSampling(QFormLayout* form) {
   for (int count = static_cast<int>(bounceRange.lowest); count <= bounceRange.highest; ++count)
     bounces.push_back(count);
   bounces_ = addWhole(tr("Bounces"), "bounces", bounces, "%1", &Probe::bounces);
+  bounces_->addItem(tr("All"), kAllBounces);
   black_ = helpLabel(this);
   black_->setObjectName("blackMirrors");
   black_->setText(tr("Mirrors and metals are black where this probe sees them. With 2 bounces they reflect, too."));

@@ -10,6 +10,7 @@
 
 #include "app/session/load_scene.h"
 #include "filters/core/base/scope_exit.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/math/shared/display_math.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/path/reference_path.h"
@@ -26,12 +27,6 @@ struct TracePass {
 constexpr TracePass kTracePasses[] = {{8, 8}, {4, 16}, {2, 32}, {1, 64}, {1, 256}};
 /// Of diffuse light: its noise is shown as an error.
 constexpr TracePass kDiffusePasses[] = {{4, 64}, {2, 64}, {1, 64}, {1, 256}};
-
-int bouncesOf(const Scene& scene) {
-  int most = 1;
-  for (const Probe& probe : scene.probes) most = std::max(most, probe.bounces);
-  return most;
-}
 
 QImage displayImage(const ImageRgbaF& linear, double exposure, Tone tone) {
   QImage image(linear.width, linear.height, QImage::Format_RGB32);
@@ -101,7 +96,7 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
           settings.height = height;
           settings.raysPerPixel = rays;
           if (light == TracedLight::Diffuse) settings.quantity = PathQuantity::DiffuseLight;
-          if (!scene.probes.empty()) settings.bounces = bouncesOf(scene);
+          if (!scene.probes.empty()) settings.bounces = mostBounces(scene);
           return path->render(camera, settings, goesOn);
         };
       } else {

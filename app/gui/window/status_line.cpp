@@ -7,6 +7,8 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include "filters/core/scene/bounces.h"
+
 namespace boxprobe {
 
 namespace {
@@ -88,6 +90,7 @@ QString StatusLine::workText(const WorkNow& now) {
       return tr("%1, coarse").arg(probe);
     case WorkNow::What::Capture:
       if (probe.isEmpty()) return tr("Sky");
+      if (now.bounces == kAllBounces) return tr("%1, bounce %2").arg(probe).arg(now.bounce);
       return now.bounces > 1 ? tr("%1, bounce %2 of %3").arg(probe).arg(now.bounce).arg(now.bounces) : probe;
     case WorkNow::What::Nothing:
     case WorkNow::What::Rest:

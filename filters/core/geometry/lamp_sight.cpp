@@ -321,6 +321,8 @@ SightTask sightTask(const Scene& scene, const SceneLamps& lamps, const Probe& pr
   SightTask task;
   task.box = probe.box;
   task.rotationDegrees = probe.rotationDegrees;
+  const Box& influence = probe.influenceBox();
+  task.reach = influenceReach(probe.box.min, probe.box.max, influence.min, influence.max);
   const glm::dmat3 boxFromWorld = glm::transpose(rotationMatrix(probe.rotationDegrees));
   const glm::dvec3 center = probe.box.center(), half = 0.5 * probe.box.size();
   std::set<std::size_t> ownGroups;
@@ -397,6 +399,7 @@ SightTask captureSightTask(const Scene& scene, const SceneLamps& lamps, const Pr
   Probe at = probe;
   at.box = {probe.origin, probe.origin};
   at.rotationDegrees = glm::dvec3(0.0);
+  at.influence.reset();
   Scene lit;  // what is counted with a lamp has no ray of its own
   lit.lights = scene.lights;
   for (const SceneLamp& lamp : lamps.lamps) {
@@ -416,6 +419,17 @@ ProbeSight untracedSight(const SceneLamps& lamps, const Probe& probe) {
   std::sort(sight.lamps.begin(), sight.lamps.end());
   sight.lampChannel.assign(sight.lamps.size(), kSeenByAll);
   return sight;
+}
+
+Box openBox(const SightLines& lines, const SightTask& task) {
+  if (task.reach.none()) return task.box;
+  const glm::dvec3 middle = task.box.center(), half = 0.5 * task.box.size();
+  const glm::dmat3 worldFromBox = rotationMatrix(task.rotationDegrees);
+  const ProbeReach reach = openReach(task.reach, lines, middle, worldFromBox, -half, half);
+  if (reach.none()) return task.box;
+  const glm::dvec3 at = middle + worldFromBox * (0.5 * (reach.high - reach.low));
+  const glm::dvec3 wider = half + 0.5 * (reach.high + reach.low);
+  return {at - wider, at + wider};
 }
 
 Box boxSeenFrom(const SightLines& lines, const glm::dvec3& from) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/probe_reach.h"
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/geometry/sight_lines.h"
 #include "filters/math/shared/sight_math.h"
@@ -65,14 +66,15 @@ struct SightTask {
   };
   Box box;
   glm::dvec3 rotationDegrees{0.0};
+  ProbeReach reach;  ///< of the nodes, where the box's sides have openings
   /// Of a capture: the box is not given, but what is seen from here (boxSeenFrom).
   std::optional<glm::dvec3> from;
   std::vector<Lamp> lamps;
   std::size_t own = 0;  ///< the first of them are the probe's; the others, of other rooms, are so if they are seen
   std::vector<Source> sources;
   bool operator==(const SightTask& o) const {
-    return box == o.box && rotationDegrees == o.rotationDegrees && from == o.from && lamps == o.lamps && own == o.own &&
-           sources == o.sources;
+    return box == o.box && rotationDegrees == o.rotationDegrees && reach == o.reach && from == o.from &&
+           lamps == o.lamps && own == o.own && sources == o.sources;
   }
 };
 
@@ -95,6 +97,9 @@ struct ProbeSight {
 
 /// The sight's lattice in the frame of a probe as it is drawn now.
 shading::LatticeShape sightShape(const ProbeSight& sight, const ProbeGeometry& probe);
+
+/// The task's box with what it reaches through openings. About the same middle where it reaches nothing.
+Box openBox(const SightLines& lines, const SightTask& task);
 
 /// Sources traced for a probe at most: the brightest where it is.
 constexpr std::size_t kMostSightSources = 8;

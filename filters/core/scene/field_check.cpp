@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "filters/core/base/number_text.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/core/scene/scene_fields.h"
 
 namespace boxprobe {
@@ -35,7 +36,8 @@ class Check {
   void operator()(const std::vector<std::string>&) const {}
   void operator()(const std::map<std::string, ParameterValue>&) const {}
   void operator()(int value) const {
-    if (field_.kind != FieldKind::Choice) number(value);
+    const bool word = field_.kind == FieldKind::Integer && !field_.choices.empty() && value == kAllBounces;
+    if (field_.kind != FieldKind::Choice && !word) number(value);
   }
   void operator()(float value) const { number(value); }
   void operator()(double value) const { number(value); }
@@ -109,7 +111,12 @@ class Check {
     }
     const bool huge = std::fabs(static_cast<double>(value)) > kLargestNumber;
     const bool onlyHuge = huge && (value > 0 || field_.range.lowest < 0.0) && field_.range.highest >= kLargestNumber;
-    fail("is " + text + (onlyHuge ? tooLarge() : " and must be " + rangeText(field_)));
+    fail("is " + text + (onlyHuge ? tooLarge() : " and must be " + rangeText(field_)) + wordText());
+  }
+  // A whole number may have a word beside it.
+  std::string wordText() const {
+    const bool has = field_.kind == FieldKind::Integer && !field_.choices.empty();
+    return has ? ", or \"" + std::string(field_.choices.front().id) + "\"" : std::string();
   }
   template <typename Vector>
   void eachNumber(const Vector& value) const {

@@ -72,6 +72,8 @@ const std::vector<FieldRow<Probe>>& probeFields() {
                              "Captures in turn, each with the last one's light; with 1, mirrors are black in their "
                              "own probe.")
           .within(1, 5)
+          .choose({{"all", "until another changes the light they bring by less than 1 %, 16 at most"}})
+          .writtenAs("whole number from 1 to 5, or `\"all\"`")
           .changing(capture),
       field<&Probe::mode>("mode", "", "Where the probe's light comes from.")
           .choose({{"baked", "captured when an input changes, and kept"},

@@ -1,6 +1,7 @@
 // Reads one field's value from JSON by the kind of its row. validate() checks ranges.
 #include <filesystem>
 
+#include "filters/core/scene/bounces.h"
 #include "filters/io/scene/field_json.h"
 
 namespace boxprobe {
@@ -60,6 +61,15 @@ std::map<std::string, ParameterValue> readParameters(const JsonCursor& value) {
   return parameters;
 }
 
+/// A whole number, or the word that stands for all.
+int readWholeOrWord(const JsonCursor& value, const FieldInfo& field) {
+  const std::string word(field.choices.front().id);
+  if (value.json() == word) return kAllBounces;
+  const bool known = value.json().is_number_integer() && value.json() != kAllBounces;
+  if (!known) value.fail("must be a whole number " + rangeText(field) + ", or \"" + word + "\"");
+  return value.whole();
+}
+
 }  // namespace
 
 FieldValue readValue(const JsonCursor& value, const FieldInfo& field, const std::string& folder) {
@@ -67,7 +77,7 @@ FieldValue readValue(const JsonCursor& value, const FieldInfo& field, const std:
     case FieldKind::Number:
       return field.singlePrecision ? FieldValue(value.numberFloat()) : FieldValue(value.number());
     case FieldKind::Integer:
-      return value.whole();
+      return field.choices.empty() ? value.whole() : readWholeOrWord(value, field);
     case FieldKind::Boolean:
       return value.boolean();
     case FieldKind::Text:

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "filters/core/base/number_text.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/io/scene/field_json.h"
 
 namespace boxprobe {
@@ -104,6 +105,8 @@ struct ToJson {
 
   Json operator()(std::monostate) const { return nullptr; }
   Json operator()(int value) const {
+    const bool word = field.kind == FieldKind::Integer && !field.choices.empty() && value == kAllBounces;
+    if (word) return std::string(field.choices.front().id);
     if (field.kind != FieldKind::Choice) return value;
     return std::string(field.choices.at(static_cast<std::size_t>(value)).id);
   }

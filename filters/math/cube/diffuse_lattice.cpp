@@ -155,11 +155,12 @@ DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShap
                                   const CubeMap* sky) {
   DiffuseLattice lattice;
   if (means.empty()) return lattice;
-  const glm::vec3 size = glm::max(probe.boxMax - probe.boxMin, glm::vec3(0.0f));
+  const glm::vec3 low = probe.boxMin - settings.reachLow;
+  const glm::vec3 size = glm::max(probe.boxMax + settings.reachHigh - low, glm::vec3(0.0f));
   lattice.nodes = latticeNodes(size, settings.spacing);
   const glm::vec3 inset = glm::min(glm::vec3(settings.inset), 0.25f * size);
-  lattice.low = probe.boxMin + inset;
-  lattice.high = probe.boxMin + size - inset;
+  lattice.low = low + inset;
+  lattice.high = low + size - inset;
   const auto nodeCount = static_cast<std::size_t>(lattice.nodes.x * lattice.nodes.y * lattice.nodes.z);
   lattice.texels.resize(DiffuseLattice::kParts * nodeCount);
   const std::vector<LatticeRay> rays = latticeRays(raysOfNode(settings.rays, nodeCount), worldFromProbe);

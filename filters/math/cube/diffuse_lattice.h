@@ -17,7 +17,8 @@ namespace boxprobe {
 struct LatticeSettings {
   float spacing = 1.0f;  ///< of the nodes, about, scene units, > 0
   float inset = 0.15f;   ///< of the outermost nodes from the walls, scene units; at most a quarter of the box
-  int rays = 1024;       ///< a node; fewer, down to an eighth, where there are more nodes than in a room
+  glm::vec3 reachLow{0.0f}, reachHigh{0.0f};  ///< nodes stand so far beyond the box's sides
+  int rays = 1024;  ///< a node; fewer, down to an eighth, where there are more nodes than in a room
 };
 
 struct DiffuseLattice : shading::LatticeSampler {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "filters/core/scene/bounces.h"
 #include "filters/core/scene/scene.h"
 
 vtkStandardNewMacro(vtkReflectionProbe);
@@ -94,6 +95,10 @@ void vtkReflectionProbe::SetTechniqueChoice(const char* parameter, const char* v
   }
   this->Chosen->parameters[parameter] = std::string(value);
   this->Modified();
+}
+
+void vtkReflectionProbe::SetBouncesToAll() {
+  this->SetBounces(boxprobe::kAllBounces);
 }
 
 boxprobe::Probe vtkReflectionProbe::ToProbe(const std::string& name) const {

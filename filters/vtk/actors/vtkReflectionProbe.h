@@ -111,9 +111,11 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
   vtkGetMacro(FaceSize, int)
   ///@}
   ///@{
-  /** Number of captures, 1 to 5: from the second on they show reflections. 1 by default. */
+  /** Number of captures, 1 to 5: from the second on they show reflections. 1 by default. All of them: until another
+      changes the light that they bring by less than 1 %, at most 16, which is then the value. */
   vtkSetMacro(Bounces, int)
   vtkGetMacro(Bounces, int)
+  void SetBouncesToAll();
   ///@}
   ///@{
   /** Samples per texel of the capture: 1, 4 (default) or 16. */

@@ -14,7 +14,7 @@ struct BounceCost {
 
 /// CPU seconds of this process, all threads, by kind of work.
 struct Times {
-  std::array<BounceCost, 5> bounces;  ///< probes only, the first bounce first
+  std::array<BounceCost, 16> bounces;  ///< probes only, the first bounce first
   double captureCpuSeconds = 0.0;
   double prefilterCpuSeconds = 0.0;
 };

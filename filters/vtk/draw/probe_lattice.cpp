@@ -9,6 +9,7 @@ LatticeSource latticeSource(const DrawState& state, const SceneLamps& lamps, con
   LatticeSource source;
   source.boxMin = g.boxMin;
   source.boxMax = g.boxMax;
+  source.reach = influenceReach(g.boxMin, g.boxMax, g.influenceMin, g.influenceMax);
   source.mapFromProbe = glm::mat3(g.mapFromProbe);
   source.worldFromProbe = glm::mat3(g.worldFromProbe);
   // Following rays by distances matters for reflections; for irradiance the box is accurate enough.

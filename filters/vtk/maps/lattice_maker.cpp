@@ -53,6 +53,12 @@ struct LatticeWork {
     LatticeSettings settings;
     if (source.fewRays) settings.rays = kFewRays;
     settings.spacing = tracedSpacing(source.boxMin, source.boxMax, settings.spacing, source.traced);
+    if (source.traced.lines && !source.reach.none()) {
+      const ProbeReach reach = openReach(source.reach, *source.traced.lines, source.traced.originWorld,
+                                         source.traced.worldFromProbe, source.boxMin, source.boxMax);
+      settings.reachLow = glm::vec3(reach.low);
+      settings.reachHigh = glm::vec3(reach.high);
+    }
     const CubeMap capture = latticeCapture(radiance);
     const CubeMap sky = source.sky ? plainMeans(*source.sky) : CubeMap();
     const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));
@@ -72,7 +78,7 @@ LatticeCosts latticeCosts() {
 }
 
 bool LatticeSource::operator==(const LatticeSource& o) const {
-  return boxMin == o.boxMin && boxMax == o.boxMax && mapFromProbe == o.mapFromProbe &&
+  return boxMin == o.boxMin && boxMax == o.boxMax && reach == o.reach && mapFromProbe == o.mapFromProbe &&
          worldFromProbe == o.worldFromProbe && projection == o.projection && fewRays == o.fewRays && sky == o.sky &&
          traced == o.traced && std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/probe_reach.h"
 #include "filters/core/geometry/traced_lattice.h"
 #include "filters/math/cube/diffuse_lattice.h"
 #include "filters/vtk/gl/gl_objects.h"
@@ -16,6 +17,7 @@ namespace boxprobe {
 /// The inputs of lattices besides the maps.
 struct LatticeSource {
   glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame
+  ProbeReach reach;                      ///< where what is traced leaves an opening in that side
   glm::mat3 mapFromProbe{1.0f}, worldFromProbe{1.0f};
   int projection = 0;              ///< index in the projection table
   bool fewRays = false;            ///< it is derived continuously

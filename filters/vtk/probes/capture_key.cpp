@@ -188,7 +188,7 @@ std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, 
   // it.
   if (!std::holds_alternative<ClearToOpen>(probe.clear)) {
     hash.add(world.sky);
-  } else if (probe.bounces > 1 && !world.latticeSky.empty()) {
+  } else if (world.several(probe) && !world.latticeSky.empty()) {
     hash.add(world.latticeSky);
   }
   for (const std::size_t i : objectsThatMeet(world, probe, meets)) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,10 @@ struct CaptureWorld {
   /// The sky whose light comes with lattices, whose nodes are traced to it: not in first captures of several, but in
   /// later ones, those of ClearToOpen included. Empty: lattices know no sky.
   std::string latticeSky;
+  std::set<std::string> cutShort;  ///< probes whose later bounces another run makes, from the files of this one's
+
+  /// Is a first capture of it, or will it be, followed by others?
+  bool several(const Probe& probe) const { return probe.bounces > 1 || cutShort.count(probe.name) != 0; }
 };
 
 /// `skyPixels`: the fingerprint of the sky's image, if it has one; `probes`: the scene's.

@@ -1,12 +1,14 @@
 #include "filters/vtk/probes/probe_baker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <unordered_set>
 #include <utility>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "filters/vtk/probes/probe_binder.h"
@@ -14,6 +16,23 @@
 #include "filters/vtk/scene/scene_content.h"
 
 namespace boxprobe {
+
+namespace {
+
+// Has a bounce changed less than a hundredth of what bounces after the first have brought, or next to nothing of all?
+bool bouncesRest(const ShCoefficients& first, const ShCoefficients& before, const ShCoefficients& now) {
+  constexpr double kNothing = 2.0e-4;
+  double change = 0.0, brought = 0.0, whole = 0.0;
+  const auto squared = [](const glm::vec3& v) { return static_cast<double>(glm::dot(v, v)); };
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    change += squared(now[k] - before[k]);
+    brought += squared(now[k] - first[k]);
+    whole += squared(now[k]);
+  }
+  return std::sqrt(change) <= std::max(kBouncesAtRest * std::sqrt(brought), kNothing * std::sqrt(whole));
+}
+
+}  // namespace
 
 void ProbeBaker::setWindow(vtkOpenGLRenderWindow* window) {
   graphics_.reset();
@@ -26,6 +45,7 @@ void ProbeBaker::replan() {
   with_.plan->make();
   if (with_.plan->jobs().empty()) {
     earlier_.clear();
+    firsts_.clear();
     unitsDone_ = 0;
     firstBouncePrograms_ = false;
   }
@@ -85,6 +105,7 @@ void ProbeBaker::cancelWork() {
   abort();
   with_.plan->cancelWork();
   earlier_.clear();
+  firsts_.clear();
   unitsDone_ = 0;
 }
 
@@ -93,6 +114,7 @@ void ProbeBaker::release() {
   if (graphics_) graphics_->capture.release();
   with_.plan->end();
   earlier_.clear();
+  firsts_.clear();
   cache_.clear();
 }
 
@@ -310,6 +332,7 @@ void ProbeBaker::finish(MadeMaps made) {
     publishFinal(std::move(made));
   }
   replan();
+  if (endBounces()) replan();
 }
 
 void ProbeBaker::publishDrag(MadeMaps made) {
@@ -365,8 +388,61 @@ void ProbeBaker::publishFinal(MadeMaps made) {
     if (entries[i].wanted != key || with_.plan->showsSharp(i)) continue;
     if (entries[i].shown != key) show(i, key, made.maps);
   }
-  earlier_.push_back(made.maps);
+  dropEarlier(made.job.bounce);
+  if (made.job.bounce == 1) firsts_[key] = made.maps->irradiance;
+  earlier_.emplace_back(key, made.maps);
   cache_.add(key, std::move(made.faces), std::move(made.maps));
+}
+
+// A bounce is made from the one before it: what neither of the two shows is no longer held.
+void ProbeBaker::dropEarlier(int bounce) {
+  const BounceKeys& keys = with_.plan->bounces();
+  std::unordered_set<std::string> held;
+  for (std::size_t i = 0; i < with_.plan->entries().size(); ++i) {
+    if (keys.input(i).view.empty()) continue;
+    held.insert(keys.key(i, bounce));
+    held.insert(keys.key(i, std::max(bounce - 1, 1)));
+  }
+  const auto gone = [&](const auto& earlier) { return held.count(earlier.first) == 0; };
+  earlier_.erase(std::remove_if(earlier_.begin(), earlier_.end(), gone), earlier_.end());
+}
+
+// Of probes that ask for all bounces: once none that is being made changes any more, the last ones are the final ones.
+// Light comes one room farther with each bounce, so that what still changes anywhere counts for all.
+bool ProbeBaker::endBounces() {
+  ProbeEntries& entries = with_.plan->entries();
+  const BounceKeys& keys = with_.plan->bounces();
+  std::vector<std::size_t> open;
+  int made = kAllBounces;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!entries.baked(i) || !allBounces(entries.probe(i))) continue;
+    const auto waits = [&](const ProbeJob& job) { return job.kind == JobKind::Bounce && job.name == entries[i].name; };
+    const auto& jobs = with_.plan->jobs();
+    if (std::none_of(jobs.begin(), jobs.end(), waits)) continue;
+    int last = kAllBounces - 1;
+    while (last > 0 && !cache_.find(keys.key(i, last))) --last;
+    open.push_back(i);
+    made = std::min(made, last);
+  }
+  if (open.empty() || made < 2) return false;
+  for (const std::size_t i : open) {
+    const auto before = cache_.find(keys.key(i, made - 1)), now = cache_.find(keys.key(i, made));
+    if (!before || !now) return false;
+    const auto first = firsts_.find(keys.key(i, 1));
+    if (!bouncesRest(first == firsts_.end() ? ShCoefficients{} : first->second, before->irradiance, now->irradiance)) {
+      return false;
+    }
+  }
+  for (const std::size_t i : open) {
+    for (const int bounce : {kAllBounces - 1, kAllBounces}) {
+      const auto maps = cache_.find(keys.key(i, bounce == kAllBounces ? made : made - 1));
+      earlier_.emplace_back(keys.key(i, bounce), maps);
+      cache_.add(keys.key(i, bounce), {}, maps);
+    }
+    entries[i].again = entries[i].fromFile = false;
+    if (entries[i].wanted == keys.finalKey(i)) with_.plan->remember(i);
+  }
+  return true;
 }
 
 // Shows maps made earlier for all probes and the sky.

@@ -6,8 +6,10 @@
 #include <vtkWeakPointer.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "filters/vtk/capture/bake_runner.h"
@@ -86,6 +88,8 @@ class ProbeBaker {
   void publishSharp(MadeMaps made);
   void publishRealtime(MadeMaps made);
   void publishFinal(MadeMaps made);
+  void dropEarlier(int bounce);
+  bool endBounces();
   void showCached();
   void show(std::size_t index, const std::string& key, std::shared_ptr<const ProbeMaps> maps);
   void showSky(const std::string& key, std::shared_ptr<const ProbeMaps> maps);
@@ -105,8 +109,9 @@ class ProbeBaker {
   std::vector<vtkWeakPointer<vtkProp>> props_;  ///< in the order of the world's objects
   int unitsDone_ = 0;
   bool firstBouncePrograms_ = false;  ///< until all is done
-  /// Maps of earlier bounces are held until all is done, because later ones are made from them.
-  std::vector<std::shared_ptr<const ProbeMaps>> earlier_;
+  /// Of earlier bounces by key: those that the next one is made from, held until all is done.
+  std::vector<std::pair<std::string, std::shared_ptr<const ProbeMaps>>> earlier_;
+  std::map<std::string, ShCoefficients> firsts_;  ///< irradiance of first bounces by key, as long
 };
 
 }  // namespace boxprobe

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "filters/core/geometry/probe_reach.h"
 #include "filters/vtk/gl/map_bytes.h"
 #include "filters/vtk/maps/content_hash.h"
 
@@ -59,7 +60,9 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures, bool la
   largest_ = std::max(largest_, size);
   ++count_;
   if (!lattices) return;
-  copies_ += latticeBytes(probe.box.size());
+  const Box& influence = probe.influenceBox();
+  const ProbeReach reach = influenceReach(probe.box.min, probe.box.max, influence.min, influence.max);
+  copies_ += latticeBytes(probe.box.size() + reach.low + reach.high);
   ++latticeCount_;
 }
 
@@ -156,7 +159,9 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
       if (known.count(view) != 0 ? seen.count(view) != 0 : lights) sees.push_back(other);
     }
     sees_.push_back(std::move(sees));
-    keys_.push_back({input.view});
+    // Without the sky it is another picture than the only one of a single bounce.
+    const bool withoutSky = input.latticeSky && input.several && !input.imported && !input.view.empty();
+    keys_.push_back({withoutSky ? ContentHash().add(input.view).add("before the sky").text() : input.view});
   }
   for (int bounce = 2; bounce <= most; ++bounce) {
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
@@ -200,6 +205,7 @@ BounceKeys::Input ProbePlan::input(std::size_t index) const {
   input.bounces = probe.bounces;
   input.lattices = world_.lattices;
   input.latticeSky = !world_.latticeSky.empty();
+  input.several = world_.several(probe);
   input.imported = probe.mode == ProbeMode::Custom;
   input.realtime = probe.mode == ProbeMode::Realtime;
   CaptureView view = probeView(world_, probe);
@@ -254,6 +260,7 @@ void ProbePlan::setWorld(CaptureWorld world) {
       world.objects[i].probes = std::move(world_.objects[i].probes);
     }
   }
+  world.cutShort = std::move(world_.cutShort);
   world_ = std::move(world);
   worldProbes_ = probes;
 }
@@ -320,7 +327,7 @@ std::string ProbePlan::faceKey(std::size_t index, int bounce, int face) const {
 }
 
 bool ProbePlan::firstWithoutSky(std::size_t index) const {
-  return !world_.latticeSky.empty() && entries_.probe(index).bounces > 1;
+  return !world_.latticeSky.empty() && world_.several(entries_.probe(index));
 }
 
 std::string ProbePlan::realtimeFaceKey(const Probe& probe, int face) const {

@@ -149,6 +149,7 @@ class BounceKeys {
     bool imported = false;              ///< from a picture: the same at every bounce
     bool lattices = false;              ///< later bounces use lattices for diffuse light
     bool latticeSky = false;            ///< which bring the light of the sky: a first bounce of several has none of it
+    bool several = false;               ///< other bounces follow the first, in this run or another
     std::string drawn;                  ///< drawnKey(), where later bounces follow it
     bool realtime = false;              ///< not in other probes' bounces, which it would make stale in every frame
     std::vector<std::size_t> lighting;  ///< probes that light what the capture shows, by the current boxes
@@ -253,6 +254,8 @@ class ProbePlan {
   bool showsSharp(std::size_t index) const;
   /// Names of baked probes to make, used or not, and nothing else; empty: whatever is needed.
   void setTargets(std::set<std::string> names) { targets_ = std::move(names); }
+  /// Probes whose later bounces another run makes: CaptureWorld::cutShort.
+  void setCutShort(std::set<std::string> names) { world_.cutShort = std::move(names); }
   const std::set<std::string>& targets() const { return targets_; }
   /// The key that the sky's map should have. An image is captured with more texels than a gradient, at most a quarter
   /// of its columns per face. 0: no image.

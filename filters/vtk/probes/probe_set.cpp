@@ -100,7 +100,8 @@ void ProbeSet::setEnabled(bool enabled) {
   baker_.replan();
 }
 
-void ProbeSet::setBakeTargets(const std::vector<std::string>& names) {
+void ProbeSet::setBakeTargets(const std::vector<std::string>& names, const std::vector<std::string>& cutShort) {
+  plan_.setCutShort({cutShort.begin(), cutShort.end()});
   plan_.setTargets({names.begin(), names.end()});
   binder_.needs().setAll(!names.empty());
   updateKeys();

@@ -61,7 +61,7 @@ class ProbeSet {
   void setCoarseFirst(bool coarse);
   /// See ProbePlan::setSharp.
   void setSharp(std::map<std::string, int> faceSizes);
-  void setBakeTargets(const std::vector<std::string>& names);
+  void setBakeTargets(const std::vector<std::string>& names, const std::vector<std::string>& cutShort);
   void useBakedFiles(const std::string& folder);
   /// Makes these again although nothing has changed; updateCaptures() must follow.
   void requestBake(const std::vector<std::string>& names);

@@ -124,7 +124,7 @@ std::size_t SightWork::bytes() const {
     const SightTask& task = *known.task;
     std::size_t nodes = kMostCaptureNodes;  // its box is what is seen
     if (!task.from) {
-      const glm::ivec3 along = sightNodes(task.box.size(), most);
+      const glm::ivec3 along = sightNodes(task.box.size() + task.reach.low + task.reach.high, most);
       nodes = static_cast<std::size_t>(along.x * along.y * along.z);
     }
     const std::size_t lamps = std::min(task.lamps.size(), std::max<std::size_t>(task.own, kMostProbeLamps));
@@ -155,6 +155,8 @@ void SightWork::start() {
           if (task.from) {
             task.box = boxSeenFrom(*done.lines, *task.from);
             of = ofCapture(settings);
+          } else {
+            task.box = openBox(*done.lines, task);
           }
           done.sights[i] = std::make_shared<const ProbeSight>(probeSight(*done.lines, task, *cancelled, of));
         }

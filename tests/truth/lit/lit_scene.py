@@ -134,7 +134,8 @@ def make_light(scene, light):
     else:
         data.energy = 4.0 * math.pi * light["intensity"]  # watts over the whole sphere, from watts per steradian
         data.shadow_soft_size = light["radius"]
-        data.use_soft_falloff = False  # a sphere, however near
+        if hasattr(data, "use_soft_falloff"):  # from 4.0 on
+            data.use_soft_falloff = False  # a sphere, however near
         if light.get("range", 0):
             raise SystemExit("make.py: a light's range has no form in Cycles")
     if kind == "SPOT":

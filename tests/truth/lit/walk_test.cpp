@@ -18,8 +18,8 @@ using namespace boxprobe;
 
 constexpr int kFrames = 60, kWidth = 80, kHeight = 48;
 // Of a picture's light: what is asked. Mean light from frame to frame is held to what it reaches: in the doorway, which
-// lies in no probe's box, the sides of the door are too dark.
-constexpr double kMostPop = 0.02, kMostHeld = 0.21;
+// lies in no probe's box, the nearer edge of the door's sides is too bright.
+constexpr double kMostPop = 0.02, kMostHeld = 0.07;
 constexpr int kHalvings = 9;  // of the way between two frames, to a fifth of a millimetre
 constexpr int kRays = 160;    // a pixel: the mean of a picture is known to some .3 %
 

@@ -57,6 +57,7 @@ def _only_known(self, name, value):
     object.__setattr__(self, name, value)
 
 
+_ALL_BOUNCES = 16  # of SetBouncesToAll
 _TONES = ("vtk", "none", "neutral", "agx", "aces")
 
 
@@ -84,10 +85,21 @@ class Probe(vtkReflectionProbe):
     intensity = _value("Intensity", "Factor of its reflections.")
     technique = _value("Technique", '"box", "infinite", "sphere", ...')
     face_size = _value("FaceSize", "Texels, a power of two from 16 to 2048.")
-    bounces = _value("Bounces", "1 to 5.")
     samples_per_pixel = _value("SamplesPerPixel", "1, 4 or 16.")
     near_distance = _value("NearDistance", "0: from the box.")
     far_distance = _value("FarDistance", "0: from what there is to see.")
+
+    @property
+    def bounces(self):
+        """1 to 5, or "all": until another changes the light that they bring by less than 1 %."""
+        return "all" if self.GetBounces() == _ALL_BOUNCES else self.GetBounces()
+
+    @bounces.setter
+    def bounces(self, count):
+        if count == "all":
+            self.SetBouncesToAll()
+        else:
+            self.SetBounces(count)
 
     @property
     def blend_distance(self):
