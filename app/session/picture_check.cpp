@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/session/fit_scene.h"
@@ -18,7 +19,7 @@ namespace boxprobe {
 namespace {
 
 constexpr int kWidth = 48, kHeight = 27, kRays = 96;
-constexpr std::size_t kMostEyes = 16, kMostParts = 4;
+constexpr std::size_t kMostEyes = 16, kMostParts = 4, kMostMoved = 4;
 constexpr int kFaceSize = 64;       // of captures: sixteen times as fast as what is drawn later
 constexpr int kBounces = 3;         // of light between surfaces, where one makes rooms too dark
 constexpr double kGlossy = 4.0;     // weight: a wrong mirror is seen at once
@@ -215,6 +216,23 @@ class Checker {
           sentence("the scene's own probes with %d bounces: error %.3f", kBounces, errors->error));
       if (!best || errors->error < kBetter * best->error) best = *errors, choice = Choice::OwnWithBounces;
     }
+    if (choice == Choice::OneBox) {
+      PlacedProbe one = placement_.probes.front();
+      one.probe = oneBox.front();
+      one.part = false;
+      one.reason = "one box around all rooms measured better than one for each";
+      placement_.probes = {one};
+    } else if (choice == Choice::OwnWithBounces) {
+      placement_.probes.clear();
+      placement_.kept = bounced;
+      // Of a bare model it is nobody's own.
+      if (loaded_.fit && bounced.size() == 1) {
+        placement_.kept.clear();
+        placement_.probes.push_back({bounced.front(), 0, false, 0.0, *loaded_.fit->box});
+        placement_.probes.back().reason = "fitted to all of the model, which measured better than its rooms";
+      }
+    }
+    if (best && !moveOrigins(*best)) return false;
     check_.better = best && best->error < kBetter * before->error;
     if (!check_.better) {
       check_.sentences.push_back(own.empty() ? "no probe made the pictures better: none is proposed"
@@ -224,17 +242,33 @@ class Checker {
       return true;
     }
     check_.after = *best;
-    if (choice == Choice::OwnWithBounces) {
+    if (choice == Choice::OwnWithBounces && placement_.probes.empty()) {
       check_.sentences.push_back(sentence("the scene's own probes stay, with %d bounces", kBounces));
-      placement_.probes.clear();
-      placement_.kept = bounced;
-    } else if (choice == Choice::OneBox) {
-      check_.sentences.emplace_back("one box around all rooms is proposed");
-      PlacedProbe one = placement_.probes.front();
-      one.probe = oneBox.front();
-      one.part = false;
-      one.reason = "one box around all rooms measured better than one for each";
-      placement_.probes = {one};
+    }
+    return true;
+  }
+
+  /// Captured from elsewhere in the same room: what the origin sees is what every point of the room shows.
+  bool moveOrigins(PictureErrors& best) {
+    if (placement_.probes.size() > kMostMoved) return true;
+    for (std::size_t i = 0; i < placement_.probes.size(); ++i) {
+      if (placement_.probes[i].part) continue;
+      for (const glm::dvec3& origin : placement_.rooms[placement_.probes[i].room].origins) {
+        const Probe still = placement_.probes[i].probe;
+        if (glm::length(origin - still.origin) < 0.05 * glm::length(still.box.size())) continue;
+        placement_.probes[i].probe.origin = origin;
+        const auto errors = errorsWith(placement_.all());
+        if (!errors) return false;
+        const bool better = errors->error < kBetter * best.error;
+        check_.sentences.push_back(sentence("\"%.40s\" captured at (%.2f, %.2f, %.2f): error %.3f -> %.3f%s",
+                                            still.name.c_str(), origin.x, origin.y, origin.z, best.error, errors->error,
+                                            better ? "" : ", left out"));
+        if (better) {
+          best = *errors;
+        } else {
+          placement_.probes[i].probe = still;
+        }
+      }
     }
     return true;
   }

@@ -358,6 +358,20 @@ class Placer {
     return true;
   }
 
+  /// The deepest cell, and of those half as deep the one nearest to the middle.
+  std::vector<glm::dvec3> originsIn(const Room& room) const {
+    const FreeSpace& space = rooms_.space;
+    const auto deeper = [&](std::size_t a, std::size_t b) { return space.depth[a] < space.depth[b]; };
+    const std::size_t deepest = *std::max_element(room.cells.begin(), room.cells.end(), deeper);
+    std::size_t middle = deepest;
+    double nearest = 1e300;
+    for (const std::size_t cell : room.cells) {
+      const double away = glm::length(space.gridPosition(cell) - room.extent.center());
+      if (space.depth[cell] >= 0.5f * space.depth[deepest] && away < nearest) middle = cell, nearest = away;
+    }
+    return {space.worldPosition(deepest), space.worldPosition(middle)};
+  }
+
   void finish() {
     std::stable_sort(placement_.probes.begin(), placement_.probes.end(),
                      [](const PlacedProbe& a, const PlacedProbe& b) { return a.room < b.room; });
@@ -370,6 +384,7 @@ class Placer {
     for (std::size_t i = 0; i < placement_.rooms.size(); ++i) {
       placement_.rooms[i].name = names[i];
       placement_.rooms[i].eyes = eyesIn(captured(), rooms_, rooms_.rooms[i]);
+      placement_.rooms[i].origins = originsIn(rooms_.rooms[i]);
     }
     for (PlacedProbe& placed : placement_.probes) {
       const std::string& room = placement_.rooms[placed.room].name;

@@ -30,6 +30,7 @@ struct PlacedRoom {
   std::size_t parts = 1;               ///< number of parts between narrow places
   LitErrors before, after;             ///< with the scene's own probes; with the placed probes
   std::vector<Camera> eyes;            ///< of people standing in it, 1.2 to 1.8 m above the floor, far from each other
+  std::vector<glm::dvec3> origins;     ///< free places for a capture: far from surfaces, and near the middle
   std::vector<std::string> decisions;  ///< sentences without a full stop: every probe that was tried, and the result
 };
 

@@ -389,7 +389,7 @@ void judge(OffscreenScene& shown, const Options& options, const std::string& pat
     bool alike;  ///< with the number of bounces of what was placed
   };
   std::vector<Row> rows = {{"bounds", {fittedProbe({low, high})}, true}, {"one fitted", fitted.probes, true}};
-  if (!interior.loaded.fit) rows.push_back({"its own", scene.probes, false});
+  rows.push_back({"its own", scene.probes, false});
   rows.push_back({"placed", placed.probes, false});
   for (Row& row : rows) {
     for (Probe& probe : row.probes) {
