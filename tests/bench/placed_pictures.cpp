@@ -135,15 +135,17 @@ std::vector<Camera> eyesOf(const SceneTracer& tracer, int wanted, unsigned seed)
     const double height = floor->distance + ceiling->distance;
     if (height < 1.9 && radius < 1000.0 && radius > 3.0) continue;  // under a table
     const glm::dvec3 eye = floor->positionWorld + up * std::clamp(tall, 0.3 * height, 0.65 * height);
-    int closed = 0;
+    int closed = 0, backs = 0;
     double nearest = 1e300;
     for (int k = 0; k < kLooks; ++k) {
       const double y = 1.0 - (2.0 * k + 1.0) / kLooks, s = std::sqrt(1.0 - y * y), turn = 2.399963 * k;
       const auto hit = tracer.firstHit(eye, {s * std::cos(turn), y, s * std::sin(turn)});
       closed += hit ? 1 : 0;
+      backs += hit && hit->backSide ? 1 : 0;
       if (hit) nearest = std::min(nearest, hit->distance);
     }
-    if (closed < 0.85 * kLooks || nearest < 0.1 * height) continue;
+    // Among back sides a place is inside of a thing.
+    if (closed < 0.85 * kLooks || 2 * backs > closed || nearest < 0.1 * height) continue;
     stands.push_back({eye, height});
   }
   std::vector<Camera> cameras;

@@ -107,24 +107,18 @@ json checked(const std::string& scene, const std::string& output) {
 
 TEST(PlaceChecked, PicturesAreBetterThanWithWhatTheSceneHad) {
   const TemporaryFolder folder;
-  const std::string model = folder.write("flat.glb", scenes::glbBytes(madeFlat()));
-  const std::string output = folder.path("flat.boxprobe.json");
-  const json report = checked(model, output);
+  scenes::Apartments made = scenes::apartments(2, 1);
+  made.scene.models = {{folder.write("apartments.glb", scenes::glbBytes(made.model))}};
+  saveSceneFile(made.scene, folder.path("apartments.boxprobe.json"));
+  const std::string output = folder.path("placed.boxprobe.json");
+  const json report = checked(folder.path("apartments.boxprobe.json"), output);
   const json& pictures = report["pictures"];
-  EXPECT_GE(pictures["eyes"], 4) << "two rooms";
+  EXPECT_GE(pictures["eyes"], 4) << "two rooms and a corridor";
   EXPECT_TRUE(pictures["better"]);
   EXPECT_LT(pictures["after"]["error"], 0.9 * pictures["before"]["error"].get<double>());
   EXPECT_FALSE(pictures["tried"].empty());
-  const std::vector<Probe> probes = loadSceneFile(output).probes;
-  ASSERT_EQ(probes.size(), report["probes"].size() + report["kept"].size());
+  EXPECT_EQ(loadSceneFile(output).probes.size(), report["probes"].size() + report["kept"].size());
   for (const json& probe : report["probes"]) EXPECT_FALSE(probe["reason"].get<std::string>().empty());
-
-  // Once more, there is nothing left to gain, and what is there stays.
-  const json again = checked(output, folder.path("again.boxprobe.json"));
-  EXPECT_LE(again["pictures"]["after"]["error"], again["pictures"]["before"]["error"].get<double>());
-  if (!again["pictures"]["better"].get<bool>()) {
-    EXPECT_TRUE(loadSceneFile(folder.path("again.boxprobe.json")).probes == probes);
-  }
 }
 
 TEST(PlaceChecked, SaysThatThereIsNoLightToCompareIn) {

@@ -118,6 +118,8 @@ Subcommand addPlaceCommand(CLI::App& program) {
       ->type_name("PERCENT");
   command->add_flag("--keep", options->keep,
                     "Keep the scene's probes, and place others only in rooms without one (default: replace them)");
+  command->add_flag("--unchecked", options->unchecked,
+                    "Do not compare pictures with the path tracer's: what was placed is proposed as it is");
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
