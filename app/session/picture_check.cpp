@@ -36,6 +36,7 @@ std::string sentence(const char* format, Values... values) {
 }
 
 struct Eye {
+  std::size_t room = 0;
   Camera camera;
   ReferencePicture truth;
   std::vector<float> weights;  ///< per pixel; 0: left out
@@ -83,21 +84,22 @@ class Checker {
   bool report(double done) const { return !progress_ || progress_(done); }
 
   /// The rooms' eyes in turn, the first ones of all rooms first.
-  std::vector<Camera> cameras() const {
-    std::vector<Camera> cameras;
+  std::vector<std::pair<std::size_t, Camera>> cameras() const {
+    std::vector<std::pair<std::size_t, Camera>> cameras;
     for (std::size_t turn = 0;; ++turn) {
       bool any = false;
       for (const PlacedRoom& room : placement_.rooms) {
         if (turn >= room.eyes.size()) continue;
         any = true;
-        if (cameras.size() < kMostEyes) cameras.push_back(room.eyes[turn]);
+        const auto number = static_cast<std::size_t>(&room - placement_.rooms.data());
+        if (cameras.size() < kMostEyes) cameras.emplace_back(number, room.eyes[turn]);
       }
       if (!any || cameras.size() >= kMostEyes) return cameras;
     }
   }
 
   bool look() {
-    const std::vector<Camera> cameras = this->cameras();
+    const std::vector<std::pair<std::size_t, Camera>> cameras = this->cameras();
     const ReferencePath path(loaded_.scene, loaded_.models, loadSkyImage(loaded_.scene));
     const SceneTracer tracer(makeTriangleScene(loaded_.scene, loaded_.models));
     double sum = 0.0, count = 0.0;
@@ -106,14 +108,15 @@ class Checker {
       settings.width = kWidth;
       settings.height = kHeight;
       settings.raysPerPixel = kRays;
-      Eye eye{cameras[i],
-              path.render(cameras[i], settings,
+      Eye eye{cameras[i].first,
+              cameras[i].second,
+              path.render(cameras[i].second, settings,
                           [&](double done) {
                             return report(0.4 * (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
                           }),
               {}};
       if (!eye.truth.complete) return false;
-      const PictureRays rays(cameras[i], kWidth, kHeight);
+      const PictureRays rays(cameras[i].second, kWidth, kHeight);
       for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
           eye.weights.push_back(weightOf(tracer, rays.origin(x + 0.5, y + 0.5), rays.direction(x + 0.5, y + 0.5)));
@@ -159,6 +162,7 @@ class Checker {
     Scene scene = loaded_.scene;
     scene.probes = measured(probes);
     double squares = 0.0, noise = 0.0, truths = 0.0, glossy = 0.0, glossyTruths = 0.0, sum = 0.0, truthSum = 0.0;
+    roomSquares_.assign(placement_.rooms.size(), 0.0);
     for (const Eye& eye : eyes_) {
       shown_.show(scene, loaded_.models, {eye.camera});
       if (!shown_.capture([&](double) { return report(from); })) return std::nullopt;
@@ -171,6 +175,7 @@ class Checker {
           const double p = clamped(picture, i, c), t = clamped(eye.truth.color, i, c);
           const double e = eye.truth.standardError.pixels[4 * i + c];
           squares += weight * (p - t) * (p - t);
+          roomSquares_[eye.room] += weight * (p - t) * (p - t);
           noise += weight * e * e;
           truths += weight * t * t;
           sum += p;
@@ -197,6 +202,7 @@ class Checker {
     enum class Choice { Placed, OneBox, OwnWithBounces } choice = Choice::Placed;
     if (!placement_.probes.empty()) {
       best = errorsWith(placement_.all());
+      bestSquares_ = roomSquares_;
       if (!best || !tryBounces(*best) || !leaveOut(*best)) return false;
     }
     // One box around all rooms; mean light of a whole flat may be closer than that of a room that sees little of it.
@@ -250,7 +256,7 @@ class Checker {
 
   /// Captured from elsewhere in the same room: what the origin sees is what every point of the room shows.
   bool moveOrigins(PictureErrors& best) {
-    if (placement_.probes.size() > kMostMoved) return true;
+    if (placement_.probes.size() > kMostMoved) return moveMany(best);
     for (std::size_t i = 0; i < placement_.probes.size(); ++i) {
       if (placement_.probes[i].part) continue;
       for (const glm::dvec3& origin : placement_.rooms[placement_.probes[i].room].origins) {
@@ -273,6 +279,44 @@ class Checker {
     return true;
   }
 
+  /// The same for many rooms at once: each takes the origin that is best for the eyes in it.
+  bool moveMany(PictureErrors& best) {
+    const std::vector<PlacedProbe> still = placement_.probes;
+    std::vector<double> least = bestSquares_;
+    std::vector<glm::dvec3> chosen;
+    for (const PlacedProbe& placed : still) chosen.push_back(placed.probe.origin);
+    for (std::size_t turn = 0; turn < 2; ++turn) {
+      for (PlacedProbe& placed : placement_.probes) {
+        const std::vector<glm::dvec3>& origins = placement_.rooms[placed.room].origins;
+        if (!placed.part && turn < origins.size()) placed.probe.origin = origins[turn];
+      }
+      if (!errorsWith(placement_.all())) return false;
+      for (std::size_t i = 0; i < still.size(); ++i) {
+        const std::size_t room = still[i].room;
+        if (roomSquares_[room] >= kBetter * kBetter * least[room]) continue;
+        chosen[i] = placement_.probes[i].probe.origin;
+        least[room] = roomSquares_[room];
+      }
+    }
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < still.size(); ++i) {
+      moved += chosen[i] != still[i].probe.origin ? 1 : 0;
+      placement_.probes[i].probe.origin = chosen[i];
+    }
+    if (moved == 0) return true;
+    const auto errors = errorsWith(placement_.all());
+    if (!errors) return false;
+    const bool better = errors->error < kBetter * best.error;
+    check_.sentences.push_back(sentence("%zu probes captured from elsewhere: error %.3f -> %.3f%s", moved, best.error,
+                                        errors->error, better ? "" : ", left out"));
+    if (better) {
+      best = *errors;
+    } else {
+      placement_.probes = still;
+    }
+    return true;
+  }
+
   bool tryBounces(PictureErrors& best) {
     std::vector<PlacedProbe> bounced = placement_.probes;
     bool more = false;
@@ -289,6 +333,7 @@ class Checker {
                                         best.error, errors->error, better ? "" : ", left out"));
     if (better) {
       best = *errors;
+      bestSquares_ = roomSquares_;
     } else {
       std::swap(bounced, placement_.probes);
     }
@@ -316,6 +361,7 @@ class Checker {
             sentence("; it lowers the error of pictures by %.3f", errors->error - best.error);
       } else {
         best = *errors;
+        bestSquares_ = roomSquares_;
       }
     }
     return true;
@@ -351,6 +397,7 @@ class Checker {
   std::vector<Eye> eyes_;
   double white_ = 0.0;
   double trials_ = 0.0;
+  std::vector<double> roomSquares_, bestSquares_;  ///< by room: of the last probes measured; of the best as placed
   PictureCheck check_;
 };
 
