@@ -401,6 +401,7 @@ void judge(OffscreenScene& shown, const Options& options, const std::string& pat
     }
     const std::string pictures =
         options.folder.empty() ? "" : options.folder + "/" + stem + "-" + std::string(row.name).substr(0, 3);
+    shown.forget();  // nothing of the probes before, which may have the same names
     const Numbers n = measure(shown, interior, row.probes, pictures);
     std::printf("%-20s %-10s %6zu %8.4f %8.4f %7.3f %8.2f %% %8.3f", stem.c_str(), row.name, n.probes, n.all, n.glossy,
                 n.light, 100.0 * n.unlit, n.seam);
