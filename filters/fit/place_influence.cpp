@@ -2,6 +2,7 @@
 #include "filters/fit/place_influence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -83,6 +84,62 @@ void setBoxAbout(Probe& probe, const FreeSpace& space, const std::vector<std::si
   probe.blendDistance = {glm::dvec3(0.0), glm::dvec3(0.0)};
 }
 
+namespace {
+
+/// How far behind each wall lie the frames, panes and reveals that the room sees there: per axis, below and above; 0
+/// where there are none, or another room is behind the wall.
+std::array<glm::dvec3, 2> surfacesBehind(const SurfaceRays& rays, const Rooms& rooms, std::size_t room,
+                                         const Probe& probe, const Box& walls) {
+  constexpr std::size_t kLooks = 250, kLeast = 3;
+  constexpr int kDirections = 48;
+  const FreeSpace& space = rooms.space;
+  const double skin = kSkin * rooms.region.height, most = kMostGap * rooms.region.height;
+  const glm::dmat3 axesFromWorld = glm::transpose(rotationMatrix(probe.rotationDegrees));
+  std::vector<double> depths[2][3];
+  const auto behind = [&](const glm::dvec3& p, int axis, bool upper) {
+    for (int other = 0; other < 3; ++other) {
+      if (other != axis && (p[other] < walls.min[other] || p[other] > walls.max[other])) return 0.0;
+    }
+    return upper ? p[axis] - walls.max[axis] : walls.min[axis] - p[axis];
+  };
+  const std::vector<std::size_t>& cells = rooms.rooms[room].cells;
+  const std::vector<glm::dvec3> directions = fibonacciDirections(kDirections, 0.61);
+  const std::size_t stride = std::max<std::size_t>(1, cells.size() / kLooks);
+  for (std::size_t i = 0; i < cells.size(); i += stride) {
+    const glm::dvec3 from = space.worldPosition(cells[i]);
+    for (const glm::dvec3& along : directions) {
+      const std::optional<SurfaceHit> hit = rays.first(from, along);
+      if (!hit) continue;
+      const glm::dvec3 p = axesFromWorld * (from + hit->distance * along);
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const bool upper : {false, true}) {
+          const double depth = behind(p, axis, upper);
+          if (depth > 0.5 * skin && depth <= most) depths[upper ? 1 : 0][axis].push_back(depth);
+        }
+      }
+    }
+  }
+  std::array<glm::dvec3, 2> reach{glm::dvec3(0.0), glm::dvec3(0.0)};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool upper : {false, true}) {
+      std::vector<double>& found = depths[upper ? 1 : 0][axis];
+      if (found.size() < kLeast) continue;
+      double& to = reach[upper ? 1 : 0][axis];
+      to = *std::max_element(found.begin(), found.end());
+      for (std::size_t other = 0; other < rooms.rooms.size() && to > 0.0; ++other) {
+        if (other == room) continue;
+        for (const std::size_t cell : rooms.rooms[other].cells) {
+          const double depth = behind(axesFromWorld * space.worldPosition(cell), axis, upper);
+          if (depth > 0.0 && depth <= to + space.cell) to = 0.0;
+        }
+      }
+    }
+  }
+  return reach;
+}
+
+}  // namespace
+
 void setInfluences(const SurfaceRays& rays, const Rooms& rooms, std::vector<PlacedProbe>& probes) {
   const FreeSpace& space = rooms.space;
   const double skin = kSkin * rooms.region.height;
@@ -93,6 +150,7 @@ void setInfluences(const SurfaceRays& rays, const Rooms& rooms, std::vector<Plac
   for (std::size_t i = 0; i < probes.size(); ++i) {
     Probe& probe = probes[i].probe;
     BlendDistance reach{glm::dvec3(skin), glm::dvec3(skin)};
+    const std::array<glm::dvec3, 2> surfaces = surfacesBehind(rays, rooms, probes[i].room, probe, walls[i]);
     for (const Doorway& doorway : rooms.doorways) {
       if (doorway.a != probes[i].room && doorway.b != probes[i].room) continue;
       const bool here = doorway.a == probes[i].room;
@@ -109,8 +167,14 @@ void setInfluences(const SurfaceRays& rays, const Rooms& rooms, std::vector<Plac
       double& to = (upper ? reach.max : reach.min)[axis];
       to = std::max(to, gap);
     }
-    probe.influence = asOfProbe({walls[i].min - reach.min, walls[i].max + reach.max}, probe);
     probe.blendDistance = reach;
+    // Surfaces behind a wall have the full weight; through a door one probe fades into the next.
+    const auto add = [skin](double& to, double behind) { to = to > skin ? to : behind + skin; };
+    for (int axis = 0; axis < 3; ++axis) {
+      add(reach.min[axis], surfaces[0][axis]);
+      add(reach.max[axis], surfaces[1][axis]);
+    }
+    probe.influence = asOfProbe({walls[i].min - reach.min, walls[i].max + reach.max}, probe);
   }
 }
 

@@ -14,7 +14,8 @@ namespace boxprobe {
 void setBoxAbout(Probe& probe, const FreeSpace& space, const std::vector<std::size_t>& cells,
                  const glm::dvec3& rotationDegrees);
 
-/// Influence boxes of the first probes of rooms, one per room. They end a little behind the walls that rays meet or, at
+/// Influence boxes of the first probes of rooms, one per room. They end a little behind the walls that rays meet,
+/// behind the window frames, panes and reveals that the room sees there (unless another room is behind the wall) or, at
 /// a door to the next room, at that room's wall, so that the two probes blend within the door frame.
 void setInfluences(const SurfaceRays& rays, const Rooms& rooms, std::vector<PlacedProbe>& probes);
 

@@ -11,8 +11,10 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "filters/fit/place_eyes.h"
 #include "filters/fit/place_influence.h"
 #include "filters/fit/room_fit.h"
+#include "filters/fit/room_names.h"
 
 namespace boxprobe {
 
@@ -66,11 +68,31 @@ double glossOf(const ReflectedRays& rays) {
   return all > 0.0 ? smooth / all : 0.0;
 }
 
+/// What a person has chosen for the scene's own probes holds for others: how they are captured, filtered and looked up.
+void inheritSettings(const std::vector<Probe>& own, Probe& probe) {
+  const auto away = [&](const Probe& each) { return glm::length(each.origin - probe.origin); };
+  const auto nearest =
+      std::min_element(own.begin(), own.end(), [&](const Probe& a, const Probe& b) { return away(a) < away(b); });
+  if (nearest == own.end()) return;
+  probe.technique = nearest->technique;
+  probe.parameters = nearest->parameters;
+  probe.clear = nearest->clear;
+  probe.faceSize = nearest->faceSize;
+  probe.bounces = nearest->bounces;
+  probe.filter = nearest->filter;
+  probe.samplesPerPixel = nearest->samplesPerPixel;
+  probe.filterSamples = nearest->filterSamples;
+}
+
 class Placer {
  public:
   Placer(const Scene& scene, const TriangleRays::Models& models, const PlaceSettings& settings,
          const FitProgress& progress)
-      : scene_(scene), settings_(settings), progress_(progress), fitter_(withoutCameras(scene), models) {}
+      : scene_(scene),
+        models_(models),
+        settings_(settings),
+        progress_(progress),
+        fitter_(withoutCameras(scene), models) {}
 
   std::optional<Placement> place() {
     const Clock::time_point begun = Clock::now();
@@ -82,11 +104,12 @@ class Placer {
     if (!rooms) return std::nullopt;
     rooms_ = *std::move(rooms);
     roomFits_.emplace(fitter_, rooms_, settings_.rays);
+    roomOf_ = roomOfCells(rooms_);
     describeRooms();
     placement_.roomSeconds = secondsSince(begun);
     if (settings_.keep && !rooms_.rooms.empty()) keepProbes();
     if (!placeInRooms() || !placeInParts() || !judge()) return std::nullopt;
-    nameProbes();
+    finish();
     placement_.seconds = secondsSince(begun);
     return std::move(placement_);
   }
@@ -137,18 +160,9 @@ class Placer {
   }
 
   std::optional<std::size_t> roomAt(const glm::dvec3& world) const {
-    const FreeSpace& space = rooms_.space;
-    const glm::dvec3 at = (glm::transpose(space.worldFromGrid) * world - space.first) / space.cell;
-    const glm::ivec3 cell(glm::round(at));
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(at[axis] > -0.5) || cell[axis] >= space.count[axis]) return std::nullopt;
-    }
-    const std::size_t index = space.index(cell);
-    for (std::size_t i = 0; i < rooms_.rooms.size(); ++i) {
-      const std::vector<std::size_t>& cells = rooms_.rooms[i].cells;
-      if (std::find(cells.begin(), cells.end(), index) != cells.end()) return i;
-    }
-    return std::nullopt;
+    const std::optional<std::size_t> cell = cellAt(rooms_.space, world);
+    if (!cell || roomOf_[*cell] == rooms_.rooms.size()) return std::nullopt;
+    return roomOf_[*cell];
   }
 
   void keepProbes() {
@@ -344,30 +358,80 @@ class Placer {
     return true;
   }
 
-  void nameProbes() {
+  /// The deepest cell, and of those half as deep the one nearest to the middle.
+  std::vector<glm::dvec3> originsIn(const Room& room) const {
+    const FreeSpace& space = rooms_.space;
+    const auto deeper = [&](std::size_t a, std::size_t b) { return space.depth[a] < space.depth[b]; };
+    const std::size_t deepest = *std::max_element(room.cells.begin(), room.cells.end(), deeper);
+    std::size_t middle = deepest;
+    double nearest = 1e300;
+    for (const std::size_t cell : room.cells) {
+      const double away = glm::length(space.gridPosition(cell) - room.extent.center());
+      if (space.depth[cell] >= 0.5f * space.depth[deepest] && away < nearest) middle = cell, nearest = away;
+    }
+    return {space.worldPosition(deepest), space.worldPosition(middle)};
+  }
+
+  void finish() {
     std::stable_sort(placement_.probes.begin(), placement_.probes.end(),
                      [](const PlacedProbe& a, const PlacedProbe& b) { return a.room < b.room; });
-    Scene named = scene_;
-    named.probes = placement_.kept;
+    std::vector<std::size_t> lit = held_;
     for (PlacedProbe& placed : placement_.probes) {
-      const std::string stem = "room " + std::to_string(placed.room + 1);
-      placed.probe.name = unusedProbeName(named, placed.part ? stem + " part" : stem);
-      named.probes.push_back(placed.probe);
+      lit.push_back(placed.room);
+      inheritSettings(scene_.probes, placed.probe);
     }
+    const std::vector<std::string> names = numberedRooms(roomsNamedByObjects(scene_, models_, rooms_), lit);
+    for (std::size_t i = 0; i < placement_.rooms.size(); ++i) {
+      placement_.rooms[i].name = names[i];
+      placement_.rooms[i].eyes = eyesIn(captured(), rooms_, rooms_.rooms[i]);
+      placement_.rooms[i].origins = originsIn(rooms_.rooms[i]);
+    }
+    for (PlacedProbe& placed : placement_.probes) {
+      const std::string& room = placement_.rooms[placed.room].name;
+      const auto sameRoom = std::count_if(placement_.probes.begin(), placement_.probes.end(),
+                                          [&](const PlacedProbe& each) { return each.room == placed.room; });
+      if (sameRoom == 1) {
+        placed.reason = "the only one of " + room;
+      } else if (!placed.part) {
+        placed.reason = "for all of " + room;
+      } else {
+        placed.reason = "for a part of " + room +
+                        sentence(", where it lowers the lookup error by %.2f degrees", placed.gainDegrees);
+      }
+    }
+    nameProbes(placement_);
   }
 
   const Scene& scene_;
+  const TriangleRays::Models& models_;
   const PlaceSettings& settings_;
   const FitProgress& progress_;
   ProbeFitter fitter_;
   Rooms rooms_;
   std::optional<RoomFitter> roomFits_;
   std::vector<ReflectedRays> rays_;  ///< for choosing, one per room
+  std::vector<std::size_t> roomOf_;  ///< per cell; the number of rooms: none
   std::vector<std::size_t> held_;    ///< rooms that contain a probe to keep
   Placement placement_;
 };
 
 }  // namespace
+
+void nameProbes(Placement& placement) {
+  Scene named;
+  named.probes = placement.kept;
+  for (PlacedProbe& placed : placement.probes) {
+    const auto inRoom = [&](const PlacedProbe& each) { return each.room == placed.room; };
+    const auto sameRoom = std::count_if(placement.probes.begin(), placement.probes.end(), inRoom);
+    std::string name = placement.rooms[placed.room].name;
+    if (sameRoom > 1) {
+      const auto before = std::count_if<const PlacedProbe*>(placement.probes.data(), &placed, inRoom);
+      name += before < 26 ? std::string{' ', static_cast<char>('a' + before)} : " " + std::to_string(before + 1);
+    }
+    placed.probe.name = unusedProbeName(named, name);
+    named.probes.push_back(placed.probe);
+  }
+}
 
 std::vector<Probe> Placement::all() const {
   std::vector<Probe> together = kept;

@@ -20,7 +20,8 @@ struct PlaceSettings {
 
 /// A room in the report.
 struct PlacedRoom {
-  Box extent;  ///< of its free space, along axes rotated by `yawDegrees` about the world's +y axis
+  std::string name;  ///< "kitchen" if its objects are called so, else "room 1"
+  Box extent;        ///< of its free space, along axes rotated by `yawDegrees` about the world's +y axis
   double yawDegrees = 0.0;
   glm::dvec3 middleWorld{0.0};
   double volume = 0.0;
@@ -28,6 +29,8 @@ struct PlacedRoom {
   bool reflects = true;                ///< false: it has no ceiling and only rough surfaces, and is ignored
   std::size_t parts = 1;               ///< number of parts between narrow places
   LitErrors before, after;             ///< with the scene's own probes; with the placed probes
+  std::vector<Camera> eyes;            ///< of people standing in it, 1.2 to 1.8 m above the floor, far from each other
+  std::vector<glm::dvec3> origins;     ///< free places for a capture: far from surfaces, and near the middle
   std::vector<std::string> decisions;  ///< sentences without a full stop: every probe that was tried, and the result
 };
 
@@ -44,6 +47,10 @@ struct Placement {
   /// The kept probes and the placed ones.
   std::vector<Probe> all() const;
 };
+
+/// Probes are called as their rooms, with a letter where a room has several; no name is one of `placement.kept`. Called
+/// by placeProbes(), and again by whoever leaves probes out.
+void nameProbes(Placement& placement);
 
 /// Rated for people standing in the rooms, not for the scene's cameras. Deterministic. Nothing if `progress` stopped
 /// it. Throws WorkError if the ray tracer cannot take the models.

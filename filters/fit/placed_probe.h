@@ -1,6 +1,8 @@
 // A placed probe with the reason for it.
 #pragma once
 
+#include <string>
+
 #include "filters/fit/box/fit_box.h"
 
 namespace boxprobe {
@@ -11,6 +13,7 @@ struct PlacedProbe {
   bool part = false;         ///< covers a part of its room instead of all of it
   double gainDegrees = 0.0;  ///< reduction of the room's mean error when it was chosen
   BoxFit fit;
+  std::string reason = {};  ///< why it is there and what it gains; a sentence without a full stop
 };
 
 }  // namespace boxprobe

@@ -17,8 +17,9 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
+/// Without pictures, which have tests of their own.
 Outcome place(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "place");
+  arguments.insert(arguments.begin(), {"place", "--unchecked"});
   return runProgram(arguments, DisplayKind::Unset);
 }
 
@@ -96,6 +97,40 @@ TEST(Place, AnInvertedRoomIsARoomIfItsUserSaysSo) {
   EXPECT_EQ(plain.exitStatus, 0) << plain.err;
   EXPECT_THAT(plain.out, HasSubstr("its faces are inverted: turn them over, or use --as interior"));
   EXPECT_EQ(placed({model, "--as", "interior"})["probes"].size(), 2u);
+}
+
+json checked(const std::string& scene, const std::string& output) {
+  const Outcome outcome = runProgram({"place", scene, "-o", output, "--json", "--quiet"}, DisplayKind::Unset);
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  return json::parse(outcome.out);
+}
+
+TEST(PlaceChecked, PicturesAreBetterThanWithWhatTheSceneHad) {
+  const TemporaryFolder folder;
+  scenes::Apartments made = scenes::apartments(2, 1);
+  made.scene.models = {{folder.write("apartments.glb", scenes::glbBytes(made.model))}};
+  saveSceneFile(made.scene, folder.path("apartments.boxprobe.json"));
+  const std::string output = folder.path("placed.boxprobe.json");
+  const json report = checked(folder.path("apartments.boxprobe.json"), output);
+  const json& pictures = report["pictures"];
+  EXPECT_GE(pictures["eyes"], 4) << "two rooms and a corridor";
+  EXPECT_TRUE(pictures["better"]);
+  EXPECT_LT(pictures["after"]["error"], 0.9 * pictures["before"]["error"].get<double>());
+  EXPECT_FALSE(pictures["tried"].empty());
+  EXPECT_EQ(loadSceneFile(output).probes.size(), report["probes"].size() + report["kept"].size());
+  for (const json& probe : report["probes"]) EXPECT_FALSE(probe["reason"].get<std::string>().empty());
+}
+
+TEST(PlaceChecked, SaysThatThereIsNoLightToCompareIn) {
+  const TemporaryFolder folder;
+  folder.write("flat.glb", scenes::glbBytes(madeFlat()));
+  const std::string scene = folder.write("dark.boxprobe.json", R"({"format": "boxprobe-scene", "version": 1,
+    "model": "flat.glb", "sky": {"color": [0, 0, 0]}, "probes": [{"name": "mine", "origin": [2, 1.2, 0.3],
+    "box": {"min": [0, 0, -1.5], "max": [5.1, 2.6, 1.5]}}]})");
+  const json report = checked(scene, folder.path("placed.boxprobe.json"));
+  ASSERT_FALSE(report["pictures"]["tried"].empty());
+  EXPECT_THAT(report["pictures"]["tried"][0], HasSubstr("the scene has no light"));
+  EXPECT_EQ(report["probes"].size(), 2u) << "placed by angles alone";
 }
 
 TEST(Place, RefusesWhatItCannotDo) {

@@ -9,10 +9,13 @@
 #include "app/cli/report/place_report.h"
 #include "app/session/interrupt.h"
 #include "app/session/messages.h"
+#include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
+#include "app/session/picture_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
 #include "app/session/stats_json.h"
+#include "filters/core/base/errors.h"
 #include "filters/fit/place_probes.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/scene/scene_file.h"
@@ -25,11 +28,33 @@ struct PlaceCommandOptions {
   std::string scenePath, outputPath;
   int most = 64;
   double gainPercent = 2.0;
-  bool keep = false;
+  bool keep = false, unchecked = false;
   FitOptions fit;
   std::vector<std::string> assignments;
   ReportOptions report;
 };
+
+/// The pictures of what was placed, compared; nothing if that is not wanted, or there is nothing to draw with.
+std::optional<PictureCheck> compared(const PlaceCommandOptions& options, const LoadedScene& loaded,
+                                     Placement& placement, const InterruptGuard& interrupt, RunStats& stats) {
+  if (options.unchecked || placement.rooms.empty()) return std::nullopt;
+  std::optional<PictureCheck> check;
+  ProgressLine line("comparing pictures", !options.report.quiet);
+  try {
+    OffscreenScene shown({"boxprobe place", 16, 16, 1, options.report.quiet, false, options.report.offscreen, true});
+    check = checkPictures(loaded, placement, shown, [&](double done) {
+      line.show(done);
+      return !interrupt.interrupted();
+    });
+    stats = collectStats(shown.renderer(), shown.window());
+  } catch (const InputError& error) {
+    if (!options.report.quiet) printWarnings({std::string("pictures were not compared: ") + error.what()});
+    return std::nullopt;
+  }
+  interrupt.check();
+  nameProbes(placement);
+  return check;
+}
 
 void runPlace(const PlaceCommandOptions& options) {
   if (!options.outputPath.empty()) {
@@ -56,15 +81,18 @@ void runPlace(const PlaceCommandOptions& options) {
     });
   }
   interrupt.check();
+  RunStats stats;
+  const std::optional<PictureCheck> pictures = compared(options, loaded, *placement, interrupt, stats);
+  const PictureCheck* shown = pictures ? &*pictures : nullptr;
   loaded.scene.probes = placement->all();
   if (!options.outputPath.empty()) saveSceneFile(loaded.scene, options.outputPath);
   if (options.report.json) {
-    printDocument(placeJson(*placement).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    printDocument(placeJson(*placement, shown).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                  "\n");
   } else if (!options.report.quiet) {
-    printResult(placeText(*placement));
+    printResult(placeText(*placement, shown));
   }
-  // Nothing is drawn or captured here, and the counters say so.
-  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
 }
 
 }  // namespace
@@ -90,11 +118,14 @@ Subcommand addPlaceCommand(CLI::App& program) {
       ->type_name("PERCENT");
   command->add_flag("--keep", options->keep,
                     "Keep the scene's probes, and place others only in rooms without one (default: replace them)");
+  command->add_flag("--unchecked", options->unchecked,
+                    "Do not compare pictures with the path tracer's: what was placed is proposed as it is");
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
   addModelOptions(*command, options->assignments);
   addFitOptions(*command, options->fit);
+  addOffscreenOption(*command, options->report);
   addReportOptions(*command, options->report, "Print rooms, probes and decisions as JSON");
   command->footer(
       "Examples:\n"

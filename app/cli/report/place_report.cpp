@@ -30,8 +30,8 @@ std::string row(const char* format, Values... values) {
   return text;
 }
 
-std::string roomName(std::size_t room) {
-  return "room " + std::to_string(room + 1);
+OrderedJson pictureErrorsJson(const PictureErrors& errors) {
+  return {{"error", errors.error}, {"glossy", errors.glossy}, {"light", errors.light}};
 }
 
 std::string shareText(const LitErrors& errors) {
@@ -39,17 +39,31 @@ std::string shareText(const LitErrors& errors) {
              errors.p95Degrees, 100.0 * errors.hidden, 100.0 * errors.unlit);
 }
 
+/// The number to act on comes last.
+std::string picturesText(const PictureCheck& pictures) {
+  std::string text;
+  for (const std::string& each : pictures.sentences) text += each + "\n";
+  if (pictures.eyes == 0 || !(pictures.before.error > 0.0)) return text;
+  const double change = 100.0 * (pictures.after.error / pictures.before.error - 1.0);
+  text +=
+      row("pictures of %zu eyes against the path tracer: error %.3f -> %.3f (%+.0f %%), mirrors %.3f -> %.3f, light "
+          "%.2f -> %.2f of the truth; %.1f s\n",
+          pictures.eyes, pictures.before.error, pictures.after.error, change, pictures.before.glossy,
+          pictures.after.glossy, pictures.before.light, pictures.after.light, pictures.seconds);
+  return text;
+}
+
 }  // namespace
 
-nlohmann::ordered_json placeJson(const Placement& placement) {
+nlohmann::ordered_json placeJson(const Placement& placement, const PictureCheck* pictures) {
   OrderedJson rooms = OrderedJson::array(), probes = OrderedJson::array(), kept = OrderedJson::array();
   for (std::size_t i = 0; i < placement.rooms.size(); ++i) {
     const PlacedRoom& room = placement.rooms[i];
     OrderedJson doorways = OrderedJson::array();
     for (const Doorway& doorway : room.doorways) {
-      doorways.push_back({{"to", roomName(doorway.b)}, {"area", doorway.area}});
+      doorways.push_back({{"to", placement.rooms[doorway.b].name}, {"area", doorway.area}});
     }
-    rooms.push_back({{"name", roomName(i)},
+    rooms.push_back({{"name", room.name},
                      {"middle", vectorJson(room.middleWorld)},
                      {"size", vectorJson(room.extent.size())},
                      {"yawDegrees", room.yawDegrees},
@@ -63,13 +77,24 @@ nlohmann::ordered_json placeJson(const Placement& placement) {
   }
   for (const PlacedProbe& placed : placement.probes) {
     OrderedJson probe = fitJson(placed.probe, placed.fit);
-    probe["room"] = roomName(placed.room);
+    probe["room"] = placement.rooms[placed.room].name;
     probe["part"] = placed.part;
     probe["gainDegrees"] = placed.gainDegrees;
+    probe["reason"] = placed.reason;
     probes.push_back(probe);
   }
   for (const Probe& probe : placement.kept) kept.push_back(probe.name);
+  OrderedJson compared = nullptr;
+  if (pictures != nullptr) {
+    compared = {{"eyes", pictures->eyes},
+                {"before", pictureErrorsJson(pictures->before)},
+                {"after", pictureErrorsJson(pictures->after)},
+                {"better", pictures->better},
+                {"tried", pictures->sentences},
+                {"seconds", pictures->seconds}};
+  }
   return {{"rooms", rooms},
+          {"pictures", compared},
           {"probes", probes},
           {"kept", kept},
           {"before", litErrorsJson(placement.before)},
@@ -81,17 +106,17 @@ nlohmann::ordered_json placeJson(const Placement& placement) {
           {"seconds", placement.seconds}};
 }
 
-std::string placeText(const Placement& placement) {
+std::string placeText(const Placement& placement, const PictureCheck* pictures) {
   std::string text;
   for (const std::string& remark : placement.remarks) text += remark + "\n";
   for (std::size_t i = 0; i < placement.rooms.size(); ++i) {
     const PlacedRoom& room = placement.rooms[i];
     const glm::dvec3 size = room.extent.size(), &at = room.middleWorld;
-    text += row("%s: %.2f x %.2f x %.2f about (%.2f, %.2f, %.2f)", roomName(i).c_str(), size.x, size.y, size.z, at.x,
+    text += row("%s: %.2f x %.2f x %.2f about (%.2f, %.2f, %.2f)", room.name.c_str(), size.x, size.y, size.z, at.x,
                 at.y, at.z);
     if (std::abs(room.yawDegrees) >= 0.05) text += row(", turned by %.1f degrees", room.yawDegrees);
     for (const Doorway& doorway : room.doorways) {
-      text += (&doorway == &room.doorways.front() ? ", open to " : ", ") + roomName(doorway.b);
+      text += (&doorway == &room.doorways.front() ? ", open to " : ", ") + placement.rooms[doorway.b].name;
     }
     text += row("\n  error %.3f -> %.3f degrees", room.before.meanDegrees, room.after.meanDegrees);
     for (const std::string& decision : room.decisions) text += "; " + decision;
@@ -104,7 +129,7 @@ std::string placeText(const Placement& placement) {
               placed.probe.name.c_str(), origin.x, origin.y, origin.z, box.x, box.y, box.z,
               placed.fit.after.meanDegrees, 100.0 * placed.fit.hidden);
       for (const std::string& remark : placed.fit.remarks) text += "; " + remark;
-      text += "\n";
+      text += "\n    " + placed.reason + "\n";
     }
   }
   if (placement.rooms.empty()) return text;
@@ -113,6 +138,7 @@ std::string placeText(const Placement& placement) {
               placement.roomSeconds, placement.cells, placement.cell);
   text += "error with the scene's own probes: " + shareText(placement.before) + "\n";
   text += "error with these:                  " + shareText(placement.after) + "\n";
+  if (pictures != nullptr) text += picturesText(*pictures);
   return text;
 }
 

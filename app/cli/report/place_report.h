@@ -4,13 +4,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/session/picture_check.h"
 #include "filters/fit/place_probes.h"
 
 namespace boxprobe {
 
-nlohmann::ordered_json placeJson(const Placement& placement);
+/// `pictures`: null if they were not compared.
+nlohmann::ordered_json placeJson(const Placement& placement, const PictureCheck* pictures = nullptr);
 
 /// The same for people: a line for each room and probe, and every decision.
-std::string placeText(const Placement& placement);
+std::string placeText(const Placement& placement, const PictureCheck* pictures = nullptr);
 
 }  // namespace boxprobe

@@ -25,11 +25,11 @@ QString errorText(double degrees) {
 QString roomText(const Placement& placement, const PlacedProbe& placed) {
   const PlacedRoom& room = placement.rooms[placed.room];
   const glm::dvec3 size = room.extent.size();
-  QStringList lines = {PlacePanel::tr("Room %1: %2 x %3 x %4")
-                           .arg(placed.room + 1)
-                           .arg(size.x, 0, 'f', 2)
-                           .arg(size.y, 0, 'f', 2)
-                           .arg(size.z, 0, 'f', 2)};
+  QStringList lines = {QString::fromStdString(placed.reason), PlacePanel::tr("%1: %2 x %3 x %4")
+                                                                  .arg(QString::fromStdString(room.name))
+                                                                  .arg(size.x, 0, 'f', 2)
+                                                                  .arg(size.y, 0, 'f', 2)
+                                                                  .arg(size.z, 0, 'f', 2)};
   for (const std::string& decision : room.decisions) lines += QString::fromStdString(decision);
   for (const std::string& remark : placed.fit.remarks) lines += QString::fromStdString(remark);
   return lines.join("\n");

@@ -1,0 +1,416 @@
+// See picture_check.h.
+#include "app/session/picture_check.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/session/fit_scene.h"
+#include "filters/reference/path/reference_path.h"
+#include "filters/reference/trace/picture_rays.h"
+#include "filters/reference/trace/scene_tracer.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kWidth = 48, kHeight = 27, kRays = 96;
+constexpr std::size_t kMostEyes = 16, kMostParts = 4, kMostMoved = 4;
+constexpr int kFaceSize = 64;       // of captures: sixteen times as fast as what is drawn later
+constexpr int kBounces = 3;         // of light between surfaces, where one makes rooms too dark
+constexpr double kGlossy = 4.0;     // weight: a wrong mirror is seen at once
+constexpr double kWhite = 5.0;      // over the mean: lamps seen in mirrors would outweigh rooms
+constexpr double kNoisy = 0.5;      // of value and a tenth of white: what the truth does not know is left out
+constexpr double kBetter = 0.99;    // of the error: less is no reason to change a scene
+constexpr double kNoWorse = 1.005;  // without a probe: it is left out
+
+template <class... Values>
+std::string sentence(const char* format, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+struct Eye {
+  std::size_t room = 0;
+  Camera camera;
+  ReferencePicture truth;
+  std::vector<float> weights;  ///< per pixel; 0: left out
+};
+
+/// Probes as they are measured: with small captures, which show the same errors.
+std::vector<Probe> measured(std::vector<Probe> probes) {
+  for (Probe& probe : probes) {
+    if (probe.mode == ProbeMode::Custom) continue;
+    probe.faceSize = std::min(probe.faceSize, kFaceSize);
+    probe.samplesPerPixel = 1;
+    probe.filterSamples = std::min(probe.filterSamples, 32);
+  }
+  return probes;
+}
+
+std::vector<Probe> withBounces(std::vector<Probe> probes) {
+  for (Probe& probe : probes) probe.bounces = std::max(probe.bounces, kBounces);
+  return probes;
+}
+
+class Checker {
+ public:
+  Checker(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
+          const std::function<bool(double)>& progress)
+      : loaded_(loaded), placement_(placement), shown_(shown), progress_(progress) {}
+
+  std::optional<PictureCheck> check() {
+    const auto begun = std::chrono::steady_clock::now();
+    if (!look()) return std::nullopt;
+    check_.eyes = eyes_.size();
+    if (placement_.rooms.empty()) return check_;
+    if (eyes_.empty() || !(white_ > 0.0)) {
+      check_.sentences.emplace_back(eyes_.empty() ? "pictures were not compared: nobody can stand in these rooms"
+                                                  : "pictures were not compared: the scene has no light");
+      check_.better = true;
+      return check_;
+    }
+    if (!choose()) return std::nullopt;
+    check_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return check_;
+  }
+
+ private:
+  bool report(double done) const { return !progress_ || progress_(done); }
+
+  /// The rooms' eyes in turn, the first ones of all rooms first.
+  std::vector<std::pair<std::size_t, Camera>> cameras() const {
+    std::vector<std::pair<std::size_t, Camera>> cameras;
+    for (std::size_t turn = 0;; ++turn) {
+      bool any = false;
+      for (const PlacedRoom& room : placement_.rooms) {
+        if (turn >= room.eyes.size()) continue;
+        any = true;
+        const auto number = static_cast<std::size_t>(&room - placement_.rooms.data());
+        if (cameras.size() < kMostEyes) cameras.emplace_back(number, room.eyes[turn]);
+      }
+      if (!any || cameras.size() >= kMostEyes) return cameras;
+    }
+  }
+
+  bool look() {
+    const std::vector<std::pair<std::size_t, Camera>> cameras = this->cameras();
+    const ReferencePath path(loaded_.scene, loaded_.models, loadSkyImage(loaded_.scene));
+    const SceneTracer tracer(makeTriangleScene(loaded_.scene, loaded_.models));
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      PathSettings settings;
+      settings.width = kWidth;
+      settings.height = kHeight;
+      settings.raysPerPixel = kRays;
+      Eye eye{cameras[i].first,
+              cameras[i].second,
+              path.render(cameras[i].second, settings,
+                          [&](double done) {
+                            return report(0.4 * (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
+                          }),
+              {}};
+      if (!eye.truth.complete) return false;
+      const PictureRays rays(cameras[i].second, kWidth, kHeight);
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+          eye.weights.push_back(weightOf(tracer, rays.origin(x + 0.5, y + 0.5), rays.direction(x + 0.5, y + 0.5)));
+          if (!(eye.weights.back() > 0.0f)) continue;
+          for (std::size_t c = 0; c < 3; ++c) sum += eye.truth.color.pixels[4 * (eye.weights.size() - 1) + c];
+          count += 3.0;
+        }
+      }
+      eyes_.push_back(std::move(eye));
+    }
+    white_ = count > 0.0 ? kWhite * sum / count : 0.0;
+    return true;
+  }
+
+  static float weightOf(const SceneTracer& tracer, const glm::dvec3& from, const glm::dvec3& along) {
+    const auto hit = tracer.firstHit(from, along);
+    if (!hit) return 0.0f;
+    const SurfacePoint surface = tracer.surface(*hit, from);
+    if (tracer.object(*hit).material.unlit || surface.emissive != glm::vec3(0.0f)) return 0.0f;
+    const bool coated = surface.coatStrength > 0.0f;
+    const double roughness = coated ? surface.coatRoughness : surface.roughness;
+    return static_cast<float>(coated || surface.metallic > 0.5f || roughness < 0.3 ? kGlossy : 1.0);
+  }
+
+  double clamped(const ImageRgbaF& image, std::size_t i, std::size_t c) const {
+    return std::clamp(static_cast<double>(image.pixels[4 * i + c]), 0.0, white_);
+  }
+
+  bool noisy(const Eye& eye, std::size_t i) const {
+    double noise = 0.0, bright = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      noise += eye.truth.standardError.pixels[4 * i + c];
+      bright += clamped(eye.truth.color, i, c) + 0.1 * white_;
+    }
+    return noise > kNoisy * bright;
+  }
+
+  /// Nothing if it was stopped.
+  std::optional<PictureErrors> errorsWith(const std::vector<Probe>& probes) {
+    ++trials_;
+    const double from = 0.4 + 0.6 * std::min(1.0, (trials_ - 1) / kUsualTrials);
+    if (!report(from)) return std::nullopt;
+    Scene scene = loaded_.scene;
+    scene.probes = measured(probes);
+    double squares = 0.0, noise = 0.0, truths = 0.0, glossy = 0.0, glossyTruths = 0.0, sum = 0.0, truthSum = 0.0;
+    roomSquares_.assign(placement_.rooms.size(), 0.0);
+    for (const Eye& eye : eyes_) {
+      shown_.show(scene, loaded_.models, {eye.camera});
+      if (!shown_.capture([&](double) { return report(from); })) return std::nullopt;
+      const ImageRgbaF picture = shown_.renderer().renderLinear(kWidth, kHeight, 4);
+      shown_.requireHealthy();
+      for (std::size_t i = 0; i < eye.weights.size(); ++i) {
+        const double weight = eye.weights[i];
+        if (!(weight > 0.0) || noisy(eye, i)) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double p = clamped(picture, i, c), t = clamped(eye.truth.color, i, c);
+          const double e = eye.truth.standardError.pixels[4 * i + c];
+          squares += weight * (p - t) * (p - t);
+          roomSquares_[eye.room] += weight * (p - t) * (p - t);
+          noise += weight * e * e;
+          truths += weight * t * t;
+          sum += p;
+          truthSum += t;
+          if (weight < kGlossy) continue;
+          glossy += (p - t) * (p - t) - e * e;
+          glossyTruths += t * t;
+        }
+      }
+    }
+    PictureErrors errors;
+    if (truths > 0.0) errors.error = std::sqrt(std::max(squares - noise, 0.0) / truths);
+    if (glossyTruths > 0.0) errors.glossy = std::sqrt(std::max(glossy, 0.0) / glossyTruths);
+    if (truthSum > 0.0) errors.light = sum / truthSum;
+    return errors;
+  }
+
+  bool choose() {
+    const std::vector<Probe>& own = loaded_.scene.probes;
+    const auto before = errorsWith(own);
+    if (!before) return false;
+    check_.before = check_.after = *before;
+    std::optional<PictureErrors> best;
+    enum class Choice { Placed, OneBox, OwnWithBounces } choice = Choice::Placed;
+    if (!placement_.probes.empty()) {
+      best = errorsWith(placement_.all());
+      bestSquares_ = roomSquares_;
+      if (!best || !tryBounces(*best) || !leaveOut(*best)) return false;
+    }
+    // One box around all rooms; mean light of a whole flat may be closer than that of a room that sees little of it.
+    std::vector<Probe> oneBox;
+    if (placement_.probes.size() > 1 && placement_.kept.empty()) {
+      oneBox = {aroundAll()};
+      const auto errors = errorsWith(oneBox);
+      if (!errors) return false;
+      check_.sentences.push_back(sentence("one box around all rooms: error %.3f", errors->error));
+      if (errors->error < kBetter * best->error) best = *errors, choice = Choice::OneBox;
+    }
+    const std::vector<Probe> bounced = withBounces(own);
+    if (!own.empty() && bounced != own && placement_.kept.empty()) {
+      const auto errors = errorsWith(bounced);
+      if (!errors) return false;
+      check_.sentences.push_back(
+          sentence("the scene's own probes with %d bounces: error %.3f", kBounces, errors->error));
+      if (!best || errors->error < kBetter * best->error) best = *errors, choice = Choice::OwnWithBounces;
+    }
+    if (choice == Choice::OneBox) {
+      PlacedProbe one = placement_.probes.front();
+      one.probe = oneBox.front();
+      one.part = false;
+      one.reason = "one box around all rooms measured better than one for each";
+      placement_.probes = {one};
+    } else if (choice == Choice::OwnWithBounces) {
+      placement_.probes.clear();
+      placement_.kept = bounced;
+      // Of a bare model it is nobody's own.
+      if (loaded_.fit && bounced.size() == 1) {
+        placement_.kept.clear();
+        placement_.probes.push_back({bounced.front(), 0, false, 0.0, *loaded_.fit->box});
+        placement_.probes.back().reason = "fitted to all of the model, which measured better than its rooms";
+      }
+    }
+    if (best && !moveOrigins(*best)) return false;
+    check_.better = best && best->error < kBetter * before->error;
+    if (!check_.better) {
+      check_.sentences.push_back(own.empty() ? "no probe made the pictures better: none is proposed"
+                                             : "nothing measured better than the scene's own probes, which stay");
+      placement_.probes.clear();
+      placement_.kept = own;
+      return true;
+    }
+    check_.after = *best;
+    if (choice == Choice::OwnWithBounces && placement_.probes.empty()) {
+      check_.sentences.push_back(sentence("the scene's own probes stay, with %d bounces", kBounces));
+    }
+    return true;
+  }
+
+  /// Captured from elsewhere in the same room: what the origin sees is what every point of the room shows.
+  bool moveOrigins(PictureErrors& best) {
+    if (placement_.probes.size() > kMostMoved) return moveMany(best);
+    for (std::size_t i = 0; i < placement_.probes.size(); ++i) {
+      if (placement_.probes[i].part) continue;
+      for (const glm::dvec3& origin : placement_.rooms[placement_.probes[i].room].origins) {
+        const Probe still = placement_.probes[i].probe;
+        if (glm::length(origin - still.origin) < 0.05 * glm::length(still.box.size())) continue;
+        placement_.probes[i].probe.origin = origin;
+        const auto errors = errorsWith(placement_.all());
+        if (!errors) return false;
+        const bool better = errors->error < kBetter * best.error;
+        check_.sentences.push_back(sentence("\"%.40s\" captured at (%.2f, %.2f, %.2f): error %.3f -> %.3f%s",
+                                            still.name.c_str(), origin.x, origin.y, origin.z, best.error, errors->error,
+                                            better ? "" : ", left out"));
+        if (better) {
+          best = *errors;
+        } else {
+          placement_.probes[i].probe = still;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// The same for many rooms at once: each takes the origin that is best for the eyes in it.
+  bool moveMany(PictureErrors& best) {
+    const std::vector<PlacedProbe> still = placement_.probes;
+    std::vector<double> least = bestSquares_;
+    std::vector<glm::dvec3> chosen;
+    for (const PlacedProbe& placed : still) chosen.push_back(placed.probe.origin);
+    for (std::size_t turn = 0; turn < 2; ++turn) {
+      for (PlacedProbe& placed : placement_.probes) {
+        const std::vector<glm::dvec3>& origins = placement_.rooms[placed.room].origins;
+        if (!placed.part && turn < origins.size()) placed.probe.origin = origins[turn];
+      }
+      if (!errorsWith(placement_.all())) return false;
+      for (std::size_t i = 0; i < still.size(); ++i) {
+        const std::size_t room = still[i].room;
+        if (roomSquares_[room] >= kBetter * kBetter * least[room]) continue;
+        chosen[i] = placement_.probes[i].probe.origin;
+        least[room] = roomSquares_[room];
+      }
+    }
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < still.size(); ++i) {
+      moved += chosen[i] != still[i].probe.origin ? 1 : 0;
+      placement_.probes[i].probe.origin = chosen[i];
+    }
+    if (moved == 0) return true;
+    const auto errors = errorsWith(placement_.all());
+    if (!errors) return false;
+    const bool better = errors->error < kBetter * best.error;
+    check_.sentences.push_back(sentence("%zu probes captured from elsewhere: error %.3f -> %.3f%s", moved, best.error,
+                                        errors->error, better ? "" : ", left out"));
+    if (better) {
+      best = *errors;
+    } else {
+      placement_.probes = still;
+    }
+    return true;
+  }
+
+  bool tryBounces(PictureErrors& best) {
+    std::vector<PlacedProbe> bounced = placement_.probes;
+    bool more = false;
+    for (PlacedProbe& placed : bounced) {
+      more = more || placed.probe.bounces < kBounces;
+      placed.probe.bounces = std::max(placed.probe.bounces, kBounces);
+    }
+    if (!more) return true;
+    std::swap(bounced, placement_.probes);
+    const auto errors = errorsWith(placement_.all());
+    if (!errors) return false;
+    const bool better = errors->error < kBetter * best.error;
+    check_.sentences.push_back(sentence("%d bounces of light in the captures: error %.3f -> %.3f%s", kBounces,
+                                        best.error, errors->error, better ? "" : ", left out"));
+    if (better) {
+      best = *errors;
+      bestSquares_ = roomSquares_;
+    } else {
+      std::swap(bounced, placement_.probes);
+    }
+    return true;
+  }
+
+  /// Probes of parts of rooms that the pictures do not miss.
+  bool leaveOut(PictureErrors& best) {
+    std::size_t tried = 0;
+    for (std::size_t i = placement_.probes.size(); i-- > 0 && tried < kMostParts;) {
+      const PlacedProbe candidate = placement_.probes[i];
+      const auto sameRoom = std::count_if(placement_.probes.begin(), placement_.probes.end(),
+                                          [&](const PlacedProbe& each) { return each.room == candidate.room; });
+      if (!candidate.part || sameRoom < 2) continue;
+      ++tried;
+      placement_.probes.erase(placement_.probes.begin() + static_cast<std::ptrdiff_t>(i));
+      const auto errors = errorsWith(placement_.all());
+      if (!errors) return false;
+      const bool missed = errors->error > kNoWorse * best.error;
+      check_.sentences.push_back(sentence("without \"%.40s\": error %.3f -> %.3f, %s", candidate.probe.name.c_str(),
+                                          best.error, errors->error, missed ? "it stays" : "left out"));
+      if (missed) {
+        placement_.probes.insert(placement_.probes.begin() + static_cast<std::ptrdiff_t>(i), candidate);
+        placement_.probes[i].reason +=
+            sentence("; it lowers the error of pictures by %.3f", errors->error - best.error);
+      } else {
+        best = *errors;
+        bestSquares_ = roomSquares_;
+      }
+    }
+    return true;
+  }
+
+  /// From the origin of the largest room's probe.
+  Probe aroundAll() const {
+    Box bounds{glm::dvec3(1e300), glm::dvec3(-1e300)};
+    for (const Eye& eye : eyes_)
+      bounds = {glm::min(bounds.min, eye.camera.position), glm::max(bounds.max, eye.camera.position)};
+    for (const PlacedProbe& placed : placement_.probes) {
+      const glm::dvec3 half = 0.5 * placed.probe.box.size(), middle = placed.probe.box.center();
+      const double yaw = placed.probe.rotationDegrees.y * 0.017453292519943295;
+      const double c = std::abs(std::cos(yaw)), s = std::abs(std::sin(yaw));
+      const glm::dvec3 reach(c * half.x + s * half.z, half.y, s * half.x + c * half.z);
+      bounds = {glm::min(bounds.min, middle - reach), glm::max(bounds.max, middle + reach)};
+    }
+    Probe probe = placement_.probes.front().probe;
+    const Probe about = fittedProbe(bounds);
+    probe.box = about.box;
+    probe.influence = about.influence;
+    probe.rotationDegrees = about.rotationDegrees;
+    probe.blendDistance = about.blendDistance;
+    probe.importance = 1.0;
+    return probe;
+  }
+
+  static constexpr double kUsualTrials = 5.0;
+  const LoadedScene& loaded_;
+  Placement& placement_;
+  OffscreenScene& shown_;
+  const std::function<bool(double)>& progress_;
+  std::vector<Eye> eyes_;
+  double white_ = 0.0;
+  double trials_ = 0.0;
+  std::vector<double> roomSquares_, bestSquares_;  ///< by room: of the last probes measured; of the best as placed
+  PictureCheck check_;
+};
+
+}  // namespace
+
+std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
+                                          const std::function<bool(double)>& progress) {
+  double furthest = 0.0;
+  const std::function<bool(double)> onward = [&](double done) {
+    furthest = std::max(furthest, done);
+    return !progress || progress(furthest);
+  };
+  return Checker(loaded, placement, shown, onward).check();
+}
+
+}  // namespace boxprobe

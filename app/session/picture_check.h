@@ -1,0 +1,39 @@
+// Whether placed probes make pictures better: small pictures from eyes in the rooms, with the scene's own probes and
+// with others, against the path tracer's. Called by `boxprobe place`.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/load_scene.h"
+#include "app/session/offscreen_scene.h"
+#include "filters/fit/place_probes.h"
+
+namespace boxprobe {
+
+/// Over the surfaces that the eyes see, without lamps. Errors are root mean squares over those of the truth, with the
+/// truth's noise taken off, all light above five times the mean counted as that.
+struct PictureErrors {
+  double error = 0.0;   ///< relative; mirrors and other glossy surfaces count four times
+  double glossy = 0.0;  ///< of glossy surfaces alone
+  double light = 1.0;   ///< mean over that of the truth
+};
+
+struct PictureCheck {
+  std::size_t eyes = 0;
+  PictureErrors before, after;         ///< with the scene's own probes; with what is proposed
+  bool better = false;                 ///< false: nothing measured better, and the scene's own probes stay
+  std::vector<std::string> sentences;  ///< without full stop: what was tried, and what it brought
+  double seconds = 0.0;
+};
+
+/// Tries `placement`, the same with more bounces and without the probes of parts of rooms, one box around all rooms,
+/// and the scene's own probes with more bounces; leaves in `placement` what measured best. If that is not better than
+/// what the scene has, it leaves the scene's own probes as those kept. Captures are small ones, for all alike. Nothing
+/// if `progress` stopped it; without eyes or light no check, and a sentence that says so.
+std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
+                                          const std::function<bool(double)>& progress);
+
+}  // namespace boxprobe

@@ -1,0 +1,213 @@
+// What placed probes are called and reach, where people stand, and what is made of models that are no flats.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <set>
+
+#include "filters/fit/place_probes.h"
+#include "filters/fit/room_names.h"
+#include "tests/unit/made_model.h"
+
+namespace boxprobe {
+namespace {
+
+std::optional<Placement> placedIn(Model model, std::vector<Probe> own = {}) {
+  Scene scene;
+  scene.models = {{"made.glb"}};
+  scene.probes = std::move(own);
+  return placeProbes(scene, {std::make_shared<const Model>(std::move(model))});
+}
+
+/// A thing of its own, for its name.
+void addNamed(Model& model, const std::string& name, const Box& box) {
+  MadeModel thing;
+  thing.box(box, false);
+  model.meshes.push_back(thing.model.meshes.front());
+  model.instances.push_back({name, static_cast<int>(model.meshes.size()) - 1, glm::dmat4(1.0)});
+}
+
+/// Rooms of 4, 5 and 6 m along x, 2.7 m high and 3.1 m deep, without doors.
+MadeModel threeRooms() {
+  MadeModel made;
+  made.box({glm::dvec3(0, 0, 0), glm::dvec3(4, 2.7, 3.1)}, true);
+  made.box({glm::dvec3(4.3, 0, 0), glm::dvec3(9.3, 2.7, 3.1)}, true);
+  made.box({glm::dvec3(9.6, 0, 0), glm::dvec3(15.6, 2.7, 3.1)}, true);
+  made.model.materials.emplace_back().roughness = 0.15f;
+  made.model.meshes.front().material = 0;
+  return made;
+}
+
+TEST(RoomNames, AreTakenFromWords) {
+  EXPECT_EQ(roomNamedBy("Kitchen_Floor.001"), "kitchen");
+  EXPECT_EQ(roomNamedBy("LivingRoomSofa"), "living room");
+  EXPECT_EQ(roomNamedBy("wall bathroom 2"), "bathroom");
+  EXPECT_EQ(roomNamedBy("livingroom"), "living room");
+  EXPECT_EQ(roomNamedBy("kitchenette"), "") << "another word";
+  EXPECT_EQ(roomNamedBy("Cube.003"), "");
+  EXPECT_EQ(roomNamedBy(""), "");
+}
+
+TEST(RoomNames, AreNumberedWithoutGapsThoseWithProbesFirst) {
+  const std::vector<std::string> names = numberedRooms({"", "bedroom", "", "kitchen", "bedroom", ""}, {2, 1, 3, 4, 5});
+  EXPECT_EQ(names, (std::vector<std::string>{"room 3", "bedroom 1", "room 1", "kitchen", "bedroom 2", "room 2"}));
+}
+
+TEST(PlacedRooms, AreCalledAsTheirObjects) {
+  MadeModel made = threeRooms();
+  addNamed(made.model, "Kitchen_Table", {glm::dvec3(10.5, 0, 0.6), glm::dvec3(11.5, 0.7, 1.2)});
+  addNamed(made.model, "kitchen lamp", {glm::dvec3(12.5, 2.6, 1.0), glm::dvec3(12.7, 2.7, 1.2)});
+  addNamed(made.model, "study", {glm::dvec3(13.9, 0, 2.0), glm::dvec3(14.4, 0.5, 2.5)});  // outvoted
+  addNamed(made.model, "Box", {glm::dvec3(1.0, 0, 1.0), glm::dvec3(1.5, 0.6, 1.4)});
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 3u);
+  EXPECT_EQ(placement->rooms[0].name, "kitchen") << "the largest one";
+  EXPECT_EQ(placement->rooms[1].name, "room 1");
+  EXPECT_EQ(placement->rooms[2].name, "room 2");
+  std::set<std::string> names;
+  for (const PlacedProbe& placed : placement->probes) {
+    EXPECT_TRUE(names.insert(placed.probe.name).second) << placed.probe.name;
+    EXPECT_EQ(placed.probe.name.rfind(placement->rooms[placed.room].name, 0), 0u) << placed.probe.name;
+    EXPECT_NE(placed.reason.find(placement->rooms[placed.room].name), std::string::npos) << placed.reason;
+  }
+}
+
+TEST(PlacedRooms, LettersTellTheProbesOfARoomApart) {
+  Placement placement;
+  placement.rooms.resize(2);
+  placement.rooms[0].name = "kitchen";
+  placement.rooms[1].name = "room 1";
+  placement.kept.emplace_back().name = "room 1";
+  placement.probes.resize(3);
+  placement.probes[2].room = 1;
+  nameProbes(placement);
+  EXPECT_EQ(placement.probes[0].probe.name, "kitchen a");
+  EXPECT_EQ(placement.probes[1].probe.name, "kitchen b");
+  EXPECT_EQ(placement.probes[2].probe.name, "room 1 2") << "what is kept has its name already";
+}
+
+TEST(PlacedRooms, PeopleStandWithinReachOfTheFloor) {
+  const std::optional<Placement> placement = placedIn(threeRooms().model);
+  ASSERT_TRUE(placement);
+  for (const PlacedRoom& room : placement->rooms) {
+    ASSERT_EQ(room.eyes.size(), 3u) << room.name;
+    for (const Camera& eye : room.eyes) {
+      EXPECT_GE(eye.position.y, 1.19) << room.name;
+      EXPECT_LE(eye.position.y, 1.81) << room.name;
+      EXPECT_NEAR(eye.position.x, room.middleWorld.x, 0.5 * room.extent.size().x) << room.name;
+    }
+  }
+}
+
+TEST(PlacedRooms, ProbesReachTheFramesOfWindowsButNotTheGarden) {
+  // A window niche of 0.35 m behind the wall at z = 3.1, with a pane at its end; a garden beyond.
+  MadeModel made;
+  const Box room{glm::dvec3(-2.3, 0, 0), glm::dvec3(2.6, 2.7, 3.1)};
+  for (const int axis : {0, 1}) {
+    made.side(room, axis, false);
+    made.side(room, axis, true);
+  }
+  made.side(room, 2, false);
+  const Box hole{glm::dvec3(-0.9, 0.8, 3.1), glm::dvec3(1.1, 2.1, 3.45)};
+  for (const int axis : {0, 1}) {
+    made.side(hole, axis, false);
+    made.side(hole, axis, true);
+  }
+  made.side(hole, 2, true);  // the pane
+  const Box pieces[] = {{glm::dvec3(-2.3, 0, 3.1), glm::dvec3(-0.9, 2.7, 3.1)},
+                        {glm::dvec3(1.1, 0, 3.1), glm::dvec3(2.6, 2.7, 3.1)},
+                        {glm::dvec3(-0.9, 0, 3.1), glm::dvec3(1.1, 0.8, 3.1)},
+                        {glm::dvec3(-0.9, 2.1, 3.1), glm::dvec3(1.1, 2.7, 3.1)}};
+  for (const Box& piece : pieces) made.side(piece, 2, true);
+  made.quad({-20, -0.1f, 20}, {20, -0.1f, 20}, {20, -0.1f, -20}, {-20, -0.1f, -20});
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->probes.size(), 1u);
+  const Probe& probe = placement->probes[0].probe;
+  ASSERT_EQ(probe.rotationDegrees, glm::dvec3(0.0));
+  EXPECT_NEAR(probe.box.max.z, 3.1, 0.06) << "the box follows the wall";
+  EXPECT_GT(probe.influenceBox().max.z - probe.blendDistance.max.z, 3.44) << "the pane has the full weight";
+  EXPECT_LT(probe.influenceBox().max.z, 3.6) << "the garden has none";
+  EXPECT_LT(probe.influenceBox().max.x, 2.7) << "nothing is behind that wall";
+}
+
+TEST(PlacedRooms, ProbesAreCapturedAsTheScenesOwn) {
+  Probe own;
+  own.name = "mine";
+  own.origin = {11.0, 1.3, 1.2};
+  own.box = {glm::dvec3(9.6, 0, 0), glm::dvec3(15.6, 2.7, 3.1)};
+  own.bounces = 4;
+  own.faceSize = 128;
+  own.technique = "footprint4";
+  const std::optional<Placement> placement = placedIn(threeRooms().model, {own});
+  ASSERT_TRUE(placement);
+  ASSERT_FALSE(placement->probes.empty());
+  for (const PlacedProbe& placed : placement->probes) {
+    EXPECT_EQ(placed.probe.bounces, 4) << placed.probe.name;
+    EXPECT_EQ(placed.probe.faceSize, 128) << placed.probe.name;
+    EXPECT_EQ(placed.probe.technique, "footprint4") << placed.probe.name;
+  }
+}
+
+TEST(PlacedRooms, TerrainAndASingleWallAreLeftOpen) {
+  MadeModel terrain;
+  const auto height = [](int x, int z) { return 0.6f * static_cast<float>((7 * x * x + 3 * z * x + z) % 5); };
+  for (int x = -6; x < 6; ++x) {
+    for (int z = -6; z < 6; ++z) {
+      const auto at = [&](int i, int k) { return glm::vec3(3 * (x + i), height(x + i, z + k), 3 * (z + k)); };
+      terrain.quad(at(0, 0), at(0, 1), at(1, 1), at(1, 0));
+    }
+  }
+  MadeModel wall;
+  wall.box({glm::dvec3(-3.5, 0, 0), glm::dvec3(3, 2.6, 0.2)}, false);
+  for (MadeModel* each : {&terrain, &wall}) {
+    const std::optional<Placement> placement = placedIn(std::move(each->model));
+    ASSERT_TRUE(placement);
+    EXPECT_TRUE(placement->probes.empty());
+    ASSERT_EQ(placement->remarks.size(), 1u);
+    EXPECT_FALSE(placement->remarks[0].empty());
+  }
+}
+
+TEST(PlacedRooms, ARoomInARoomHasAProbeOfItsOwn) {
+  MadeModel made;
+  made.box({glm::dvec3(-8, 0, -7), glm::dvec3(9, 5.5, 6)}, true);
+  const Box outside{glm::dvec3(-2.7, 0, -2.4), glm::dvec3(2.9, 2.9, 2.2)},
+      inside{glm::dvec3(-2.6, 0, -2.3), glm::dvec3(2.8, 2.8, 2.1)};
+  made.box(inside, true);
+  for (const int axis : {0, 2}) {
+    made.side(outside, axis, false, false);
+    made.side(outside, axis, true, false);
+  }
+  made.side(outside, 1, true, false);
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 2u);
+  const auto inner = std::find_if(placement->probes.begin(), placement->probes.end(),
+                                  [](const PlacedProbe& each) { return each.room == 1; });
+  ASSERT_NE(inner, placement->probes.end());
+  const glm::dvec3 size = inner->probe.box.size();
+  EXPECT_LT(size.x * size.y * size.z, 1.3 * 5.4 * 2.8 * 4.4) << "as large as the inner room";
+  const auto around = std::find_if(placement->probes.begin(), placement->probes.end(),
+                                   [](const PlacedProbe& each) { return each.room == 0; });
+  ASSERT_NE(around, placement->probes.end());
+  EXPECT_GE(inner->probe.importance, around->probe.importance);
+}
+
+TEST(PlacedRooms, GlassAllAroundIsNoRoom) {
+  MadeModel made = threeRooms();
+  made.model.materials.front().transmission = 1.0f;
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  EXPECT_TRUE(placement->rooms.empty());
+  ASSERT_EQ(placement->remarks.size(), 1u);
+  EXPECT_EQ(placement->remarks[0].rfind("open: ", 0), 0u);
+}
+
+}  // namespace
+}  // namespace boxprobe
