@@ -272,7 +272,7 @@ TEST_F(BakeFarm, BadInputIsOneLine) {
   line({"--shard", "x"}, "--shard x: expected I/N");
   line({"--shard", "auto"}, "neither a task of a Slurm array job");
   line({"--only", "z*"}, "--only z*: matches no baked probe; there are: a, b, big");
-  line({"--bounce", "6"}, "--bounce");
+  line({"--bounce", "17"}, "--bounce");
   line({"--list", "--check"}, "--check");
   line({"--shards", "2"}, "--emit");
   const Variable id("SLURM_ARRAY_TASK_ID", "7"), count("SLURM_ARRAY_TASK_COUNT", "2"),
