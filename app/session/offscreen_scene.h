@@ -24,8 +24,8 @@ struct ShownSettings {
   std::string bakedFolder = {};       ///< its baked files are used in place of captures; empty: none are
   /// The work is to make these baked probes and no more; empty: everything that the picture needs.
   std::vector<std::string> bakeTargets = {};
-  std::vector<std::string> cutShort = {};  ///< of those, as SceneRenderer::setBakeTargets has them
   SurfaceViewSettings view = {};
+  std::vector<std::string> cutShort = {};  ///< of bakeTargets, as SceneRenderer::setBakeTargets has them
 };
 
 class OffscreenScene {
