@@ -180,7 +180,9 @@ void addRooms(Home& home, const FlatMaterials& m) {
   floorAndCeiling("", kWest, kEast, kNorth, kSouth);
   floorAndCeiling("kitchen ", kWest, kKitchenEast, kKitchenNorth, kKitchenSouth);
 
-  const auto west = [&](const std::string& name, double north, double south, std::vector<Window> windows) {
+  // Seen from the east, or from outside.
+  const auto west = [&](const std::string& name, double north, double south, std::vector<Window> windows,
+                        bool outside = false) {
     std::vector<double> z = {north, south}, y = {0.0, h};
     for (const Window& w : windows) {
       z.insert(z.end(), {w.north, w.south});
@@ -188,14 +190,22 @@ void addRooms(Home& home, const FlatMaterials& m) {
     }
     std::sort(y.begin(), y.end());
     y.erase(std::unique(y.begin(), y.end()), y.end());
-    home.surface(name, wallPaint(name, warmWhite), {kWest, 0, south}, {0, 0, north - south}, up,
-                 lengths(z, south, true), y, 2.0, [&](double along, double above) {
-                   return std::none_of(windows.begin(), windows.end(),
-                                       [&](const Window& w) { return w.holds(south - along, above); });
+    const double first = outside ? north : south, last = outside ? south : north;
+    home.surface(name, wallPaint(name, warmWhite), {outside ? kWest - kOuter : kWest, 0, first}, {0, 0, last - first},
+                 up, lengths(z, first, !outside), y, 2.0, [&](double along, double above) {
+                   return std::none_of(windows.begin(), windows.end(), [&](const Window& w) {
+                     return w.holds(outside ? north + along : south - along, above);
+                   });
                  });
   };
   west("wall west", kNorth, kSouth, {kLarge, kBalcony});
   west("kitchen wall west", kKitchenNorth, kKitchenSouth, {kKitchen});
+  // What the sun shines on from outside is as thick as a house is: through the edges of one face its light would leak.
+  west("facade", kNorth - kOuter, kKitchenSouth + kOuter, {kLarge, kBalcony, kKitchen}, true);
+  const double roofEast = std::max(kEast, kKitchenEast) + kOuter;
+  home.surface("roof", wallPaint("roof", ceilingWhite), {kWest - kOuter, h + kOuter, kKitchenSouth + kOuter},
+               {roofEast - kWest + kOuter, 0, 0}, {0, 0, kNorth - kKitchenSouth - 2.0 * kOuter},
+               {0.0, roofEast - kWest + kOuter}, {0.0, kKitchenSouth - kNorth + 2.0 * kOuter}, 2.0);
   const std::vector<double> full = {0.0, h}, doorRows = {0.0, kDoorHeight, h};
   home.surface("wall north", wallPaint("wall north", sage), {kWest, 0, kNorth}, {kEast - kWest, 0, 0}, up,
                {0.0, kEast - kWest}, full, 2.0);
