@@ -31,8 +31,8 @@ float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEac
   if (probe.parameters.filtered == 1)
   {
     // A lobe of that solid angle at its peak has alpha² = solid angle / (4 pi); times a factor, fitted, as is the bias. A blur takes light
-    // from the brightest part of a lobe, and many samples need less of it.
-    float size = (2.0f + 8.0f / number) * 0.0795775f * solidAngle;
+    // from the brightest part of a lobe, and beyond 64 samples less of it will do.
+    float size = min(2.0f + 64.0f / number, 3.0f) * 0.0795775f * solidAngle;
     return footprintLevel(probe, size * footprintScale(probe, hit, direction), -0.5f);
   }
   if (probe.parameters.levelOffset == 1)

@@ -132,7 +132,8 @@ TEST(Validate, RangesNameTheKeyTheValueAndTheRange) {
             "probes.room.filterSamples: is 1000 and must be from 8 to 768");
   EXPECT_EQ(problem([](Scene& s) { s.probes[0].samplesPerPixel = 2; }),
             "probes.room.samplesPerPixel: is 2 and must be 1, 4 or 16");
-  EXPECT_EQ(problem([](Scene& s) { s.probes[0].bounces = 6; }), "probes.room.bounces: is 6 and must be from 1 to 5");
+  EXPECT_EQ(problem([](Scene& s) { s.probes[0].bounces = 6; }),
+            "probes.room.bounces: is 6 and must be from 1 to 5, or \"all\"");
   EXPECT_NE(problem([](Scene& s) { s.probes[0].bounces = 0; }), "");
   EXPECT_EQ(problem([](Scene& s) { s.probes[0].blendDistance.min.y = -0.5; }),
             "probes.room.blendDistance.min: is -0.5 and must be 0 or more");
