@@ -194,11 +194,10 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          define("BP_LATTICE", lattice) + define("BP_LAMP_SHAPES", lattice && binding.lamps) +
          define("BP_LAMP_LOBES", binding.lampLobes) + define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
          define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
-         define("BP_BLUE_NOISE", binding.blueNoise()) +
-         define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
-         (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +
-         "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
-         std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n#define BP_MARCH " +
+         define("BP_BLUE_NOISE", binding.blueNoise()) + define("BP_LIGHT", binding.chooses("sampling", "luminance")) +
+         (mirror ? "#define BP_MIRROR\n" : "") + (binding.bevelled() ? "#define BP_BEVEL\n" : "") +
+         define("BP_OCCLUSION", binding.occluded()) + "#define BP_SLOTS " + std::to_string(binding.probes.size()) +
+         "\n#define BP_GROUPS " + std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n#define BP_MARCH " +
          std::to_string(marchForms(binding)) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl", "shared/roughness.glsl",
                             "shared/weights.glsl", "shared/sh.glsl"}) +
