@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/session/fit_scene.h"
+#include "filters/core/base/one_line.h"
 #include "filters/reference/path/reference_path.h"
 #include "filters/reference/trace/picture_rays.h"
 #include "filters/reference/trace/scene_tracer.h"
@@ -266,9 +267,9 @@ class Checker {
         const auto errors = errorsWith(placement_.all());
         if (!errors) return false;
         const bool better = errors->error < kBetter * best.error;
-        check_.sentences.push_back(sentence("\"%.40s\" captured at (%.2f, %.2f, %.2f): error %.3f -> %.3f%s",
-                                            still.name.c_str(), origin.x, origin.y, origin.z, best.error, errors->error,
-                                            better ? "" : ", left out"));
+        check_.sentences.push_back("\"" + oneLine(still.name) + "\"" +
+                                   sentence(" captured at (%.2f, %.2f, %.2f): error %.3f -> %.3f%s", origin.x, origin.y,
+                                            origin.z, best.error, errors->error, better ? "" : ", left out"));
         if (better) {
           best = *errors;
         } else {
@@ -353,8 +354,9 @@ class Checker {
       const auto errors = errorsWith(placement_.all());
       if (!errors) return false;
       const bool missed = errors->error > kNoWorse * best.error;
-      check_.sentences.push_back(sentence("without \"%.40s\": error %.3f -> %.3f, %s", candidate.probe.name.c_str(),
-                                          best.error, errors->error, missed ? "it stays" : "left out"));
+      check_.sentences.push_back(
+          "without \"" + oneLine(candidate.probe.name) + "\"" +
+          sentence(": error %.3f -> %.3f, %s", best.error, errors->error, missed ? "it stays" : "left out"));
       if (missed) {
         placement_.probes.insert(placement_.probes.begin() + static_cast<std::ptrdiff_t>(i), candidate);
         placement_.probes[i].reason +=

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "filters/math/sampling/van_der_corput.h"
+
 namespace boxprobe {
 
 namespace {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "filters/math/sampling/van_der_corput.h"
+
 namespace boxprobe {
 
 namespace {

@@ -12,6 +12,7 @@
 
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/fit/fit_probe.h"
+#include "filters/math/sampling/van_der_corput.h"
 #include "tests/support/random_room.h"
 #include "tests/unit/made_model.h"
 

@@ -9,6 +9,7 @@
 #include "filters/fit/box/fit_box.h"
 #include "filters/fit/rays/distance_rays.h"
 #include "filters/fit/rays/triangle_rays.h"
+#include "filters/math/sampling/van_der_corput.h"
 #include "tests/support/distance_cube.h"
 #include "tests/unit/made_model.h"
 

@@ -11,6 +11,7 @@
 
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/fit/box/visibility.h"
+#include "filters/math/sampling/van_der_corput.h"
 
 namespace boxprobe {
 

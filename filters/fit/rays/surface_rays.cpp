@@ -23,13 +23,4 @@ glm::dvec3 sphereDirection(double u, double v) {
   return {radius * std::cos(angle), y, radius * std::sin(angle)};
 }
 
-double vanDerCorput(int index, int base) {
-  double value = 0.0, share = 1.0;
-  for (; index > 0; index /= base) {
-    share /= base;
-    value += share * (index % base);
-  }
-  return value;
-}
-
 }  // namespace boxprobe

@@ -35,8 +35,4 @@ std::vector<glm::dvec3> fibonacciDirections(int count, double turn = 0.0);
 /// Maps a uniform point of the unit square to a uniform direction.
 glm::dvec3 sphereDirection(double u, double v);
 
-/// Van der Corput's sequence in a prime base, in [0, 1): low discrepancy at any length and, with different bases, in
-/// any dimension.
-double vanDerCorput(int index, int base);
-
 }  // namespace boxprobe

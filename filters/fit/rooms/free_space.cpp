@@ -13,6 +13,7 @@
 
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/fit/box/face_planes.h"
+#include "filters/math/sampling/van_der_corput.h"
 
 namespace boxprobe {
 

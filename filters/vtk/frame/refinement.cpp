@@ -47,7 +47,6 @@ void Refinement::begin(const RefineSettings& settings, int firstGuess) {
   settings_ = settings;
   stages_ = stagesTo(settings.rays, firstGuess);
   stage_ = 0;
-  firstGuess_ = std::max(firstGuess, 1);
   left_ = -1.0;
 }
 
@@ -76,8 +75,7 @@ int Refinement::frames() const {
 double Refinement::share(int framesDone) const {
   if (!more()) return 1.0;
   const double all = frames(), done = std::min<double>(framesDone, all);
-  // The technique's frame is wrong but smooth, and noise is seen first: rays are shown as far as they are a part of
-  // all.
+  // The technique's frame is wrong but smooth, and noise is seen first: rays count by their part of all.
   if (stage_ == 0) return done / all;
   const double before = stages_[stage_ - 1] / static_cast<double>(rays().aFrame);
   // By variance, which falls faster than the number of rays rises, since they are spread evenly.

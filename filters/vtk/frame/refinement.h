@@ -68,7 +68,6 @@ class Refinement {
   std::vector<int> stages_;
   std::size_t stage_ = 0;
   RefineSettings settings_;
-  int firstGuess_ = 1;
   double left_ = -1.0;
 };
 

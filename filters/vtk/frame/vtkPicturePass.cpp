@@ -21,6 +21,7 @@
 #include <unordered_set>
 
 #include "filters/core/base/errors.h"
+#include "filters/math/sampling/van_der_corput.h"
 #include "filters/vtk/draw/display_source.h"
 #include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/frame/vtkTargetPass.h"
@@ -30,21 +31,14 @@ vtkStandardNewMacro(vtkPicturePass);
 
 namespace {
 
-// The number's digits in that base mirrored at the point (van der Corput).
-double mirroredDigits(int number, int base) {
-  double value = 0.0, place = 1.0;
-  for (; number > 0; number /= base) value += (place /= base) * (number % base);
-  return value;
-}
-
 // Looks through another place of every pixel while it lives, so that edges and what mirrors show are averaged over a
 // pixel's area. Not by the sequence of the rays: place and ray would go together.
 class PlaceInPixel {
  public:
   PlaceInPixel(vtkCamera* camera, int frame, int width, int height) : camera_(camera) {
     camera->GetWindowCenter(center_);
-    camera->SetWindowCenter(center_[0] + (2.0 * mirroredDigits(frame + 1, 2) - 1.0) / width,
-                            center_[1] + (2.0 * mirroredDigits(frame + 1, 3) - 1.0) / height);
+    camera->SetWindowCenter(center_[0] + (2.0 * boxprobe::vanDerCorput(frame + 1, 2) - 1.0) / width,
+                            center_[1] + (2.0 * boxprobe::vanDerCorput(frame + 1, 3) - 1.0) / height);
   }
   ~PlaceInPixel() { camera_->SetWindowCenter(center_[0], center_[1]); }
   PlaceInPixel(const PlaceInPixel&) = delete;
