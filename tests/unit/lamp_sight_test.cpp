@@ -459,12 +459,16 @@ TEST(ProbeReach, GoesThroughOpeningsOnly) {
   const TwoRooms closed(false);
   EXPECT_EQ(openBox(closed.world, task), rooms.lit.box);
 
-  // A box that is turned about its middle reaches along its own axes, and no farther than a wall is thick.
+  // A box that is turned about its middle reaches along its own axes.
   rooms.lit.rotationDegrees = {0, 180, 0};
-  rooms.lit.influence = {{0.05, 0.0, -2.1}, {9.0, 2.6, 2.4}};
+  rooms.lit.influence = {{0.05, 0.0, -2.1}, {3.75, 2.6, 2.4}};
   const Box turned = openBox(rooms.world, sightTask(rooms.scene, rooms.lamps, rooms.lit));
-  EXPECT_NEAR(turned.min.x, -0.3, 1e-12);
+  EXPECT_NEAR(turned.min.x, -0.25, 1e-12);
   EXPECT_NEAR(turned.max.x, 3.4, 1e-12);
+
+  // Farther than a wall is thick, an influence is for what stands outside.
+  rooms.lit.influence = {{0.05, 0.0, -2.1}, {3.85, 2.6, 2.4}};
+  EXPECT_TRUE(sightTask(rooms.scene, rooms.lamps, rooms.lit).reach.none());
 }
 
 // Within the door, between both boxes, nodes tell the lamp's light from its shadow as rays do.

@@ -12,7 +12,7 @@ constexpr int kRaysAlong = 24;
 constexpr double kOpening = 0.02;
 
 double reachOf(double beyond) {
-  return beyond > kSkin ? std::min(beyond, kWallThickness) : 0.0;
+  return beyond > kSkin && beyond <= kWallThickness ? beyond : 0.0;
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ struct ProbeReach {
   bool operator==(const ProbeReach& o) const { return low == o.low && high == o.high; }
 };
 
-/// As far as the influence goes beyond the box, up to the thickness of a wall (0.4); nothing where that is no more than
-/// what keeps a wall's own surface inside (up to 0.12). All in one frame along the box's axes.
+/// As far as the influence goes beyond the box; nothing where that is no more than what keeps a wall's own surface
+/// inside (up to 0.12), nor where it is more than a wall's thickness (0.4), and meant for what stands outside. All in
+/// one frame along the box's axes, scene units.
 ProbeReach influenceReach(const glm::dvec3& boxMin, const glm::dvec3& boxMax, const glm::dvec3& influenceMin,
                           const glm::dvec3& influenceMax);
 
