@@ -109,6 +109,39 @@ TEST(SunShadow, FallsWhereTheSunsRaysAreCutOff) {
   EXPECT_EQ(world.maps(), 1u) << "drawn again although nothing moved";
 }
 
+// The yard in a wide field, with a sheet over the grass: the floor's shadow is as sharp as without a field.
+TEST(SunShadow, IsFineWhereProbesReachInAWideField) {
+  const dvec3 sheet(9.3, 2.1, -6.2);
+  constexpr double kField = -0.7;
+  Model model = yard();
+  addSquare(model, "field", vec3(13.0f, static_cast<float>(kField), -9.0f), {71, 0, 0}, {0, 0, -83}, plain(kAlbedo));
+  addSquare(model, "sheet", vec3(sheet), {1.1f, 0, 0}, {0, 0, 0.8f}, plain(vec3(0.0f)));
+  SunWorld world(sunny(), model);
+  world.show();
+  EXPECT_EQ(world.maps(), 2u);
+  int dark = 0, lit = 0;
+  walk(world, dvec3(0.0), &dark, &lit);
+  EXPECT_GE(dark, 10);
+  EXPECT_GE(lit, 10);
+  const dvec3 under = sheet + kSun * (sheet.y - kField);
+  EXPECT_LT(world.seen(under), 0.02 * sunlit().x);
+  EXPECT_NEAR(world.seen(under + dvec3(2.3, 0.0, 0.4)), sunlit().x, 0.02 * sunlit().x);
+  const std::uint64_t drawn = world.maps();
+  // Elsewhere nothing is reached: one map has all.
+  world.editAndFinish([](Scene& s) {
+    s.probes[0].box = {{20.1, 0.0, -2.8}, {24.0, 2.7, 2.6}};
+    s.probes[0].origin = {22.0, 1.4, 0.2};
+  });
+  EXPECT_EQ(world.maps(), drawn + 1);
+  const dvec3 shelfs = kShelf + kSun * kShelf.y;
+  EXPECT_LT(world.seen(shelfs), 0.02 * sunlit().x);
+  world.editAndFinish([](Scene& s) { s.probes = sunny().probes; });
+  EXPECT_EQ(world.maps(), drawn + 3);
+  dark = lit = 0;
+  walk(world, dvec3(0.0), &dark, &lit);
+  EXPECT_GE(dark, 10);
+}
+
 TEST(SunShadow, FollowsEdits) {
   SunWorld world(sunny());
   world.show();
@@ -186,9 +219,14 @@ TEST(SunShadow, ReceiversAreThoseBehindSomething) {
   EXPECT_FALSE(sunView({0.0, 0.0, 1.0}, {}).has_value());
 }
 
-TEST(SunShadow, AnExplanationHasTheSameLight) {
-  SunWorld world(sunny());
+// With one map and with two.
+class ExplainedSunShadow : public ::testing::TestWithParam<bool> {};
+TEST_P(ExplainedSunShadow, IsThePictures) {
+  Model model = yard();
+  if (GetParam()) addSquare(model, "field", {13.0f, -0.7f, -9.0f}, {71, 0, 0}, {0, 0, -83}, plain(kAlbedo));
+  SunWorld world(sunny(), model);
   world.show();
+  EXPECT_EQ(world.maps(), GetParam() ? 2u : 1u);
   Camera camera;
   camera.position = {-0.9, 1.7, 1.6};
   camera.target = {0.8, 0.0, -0.1};
@@ -205,6 +243,7 @@ TEST(SunShadow, AnExplanationHasTheSameLight) {
   EXPECT_GE(dark, 3);
   EXPECT_GE(lit, 10);
 }
+INSTANTIATE_TEST_SUITE_P(Fields, ExplainedSunShadow, ::testing::Bool());
 
 }  // namespace
 }  // namespace boxprobe::test

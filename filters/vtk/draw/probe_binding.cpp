@@ -191,7 +191,7 @@ std::string ProbeBinding::variantKey() const {
   }
   for (const int light : shadowLights) key += " L" + std::to_string(light);
   for (const int light : movingLights) key += " M" + std::to_string(light);
-  for (const int light : sunLights) key += " S" + std::to_string(light);
+  for (const SunUse& sun : sunLights) key += " S" + std::to_string(sun.light);
   if (sights()) key += " v";
   for (const int light : sightLights) key += " V" + std::to_string(light);
   return key;

@@ -38,6 +38,12 @@ struct DrawnProbe {
   std::shared_ptr<const ProbeSight> captureSight;
 };
 
+/// A sun whose shadow an object has by a map of what stands still.
+struct SunUse {
+  int light = 0;        ///< in the scene
+  std::size_t map = 0;  ///< in SceneResources::sunShadows
+};
+
 enum class Lighting {
   Plain,   ///< VTK's own: no probe, no sky
   Unlit,   ///< KHR_materials_unlit: emission only
@@ -58,7 +64,8 @@ struct ProbeBinding {
   float skyShare = 1.0f;      ///< with `shares`
   /// Lights that a probe's coverage shadows, those with maps of moving objects, and suns with maps of objects that
   /// stand still; in the scene's order.
-  std::vector<int> shadowLights, movingLights, sunLights;
+  std::vector<int> shadowLights, movingLights;
+  std::vector<SunUse> sunLights;
   /// Light sources, in the scene's order, that are not visible from everywhere in a probe's box.
   std::vector<int> sightLights;
   std::size_t leftOut = 0;  ///< probes that reach the object beyond the maximum of a draw

@@ -30,7 +30,8 @@ struct MovingShadow {
   GLuint texture = 0;
   glm::dmat4 mapFromWorld{1.0};
 };
-/// The shadow map of a directional light that asks for no shadows of its own: of objects that stand still.
+/// The shadow map of a directional light that asks for no shadows of its own: of objects that stand still. A light may
+/// have two, one after the other: one of everything and a finer one around what the probes reach.
 struct SunShadow {
   int light = 0;
   GLuint texture = 0;  ///< 0: not drawn yet
@@ -38,7 +39,7 @@ struct SunShadow {
   glm::dmat4 mapFromWorld{1.0};
   glm::vec2 apart{0.0f};     ///< taps of the filter, in the map's coordinates
   float off = 0.0f;          ///< distance from the surface at which the map is sampled, scene units
-  std::vector<bool> shades;  ///< for each object: may anything cast a shadow on it?
+  std::vector<bool> shades;  ///< for each object: does this map have the shadows on it?
 };
 /// The apparent size of a light that casts shadows.
 struct ShadowLight {

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-
+#include <glm/vector_relational.hpp>
 namespace boxprobe {
 
 namespace {
@@ -32,6 +32,39 @@ Box turned(const glm::dmat3& turn, const Box& box) {
   return {middle - reach, middle + reach};
 }
 
+// With a margin of some texels around it.
+void setBounds(SunView& view, const Box& bounds) {
+  const glm::dvec3 size = bounds.size();
+  const double margin = std::max({size.x, size.y, 1.0e-6 * size.z, 1.0e-6}) * 4.0 / SunShadows::kMapSize;
+  view.bounds = {bounds.min - margin, bounds.max + margin};
+  view.mapFromWorld = glm::scale(glm::dmat4(1.0), 1.0 / view.bounds.size()) *
+                      glm::translate(glm::dmat4(1.0), -view.bounds.min) * glm::dmat4(view.sunFromWorld);
+}
+
+double texelOf(const SunView& view) {
+  return std::max(view.bounds.size().x, view.bounds.size().y) / SunShadows::kMapSize;
+}
+
+// Which objects lie where probes light things: within the bounds of all their influence boxes and half of that around.
+// What is larger, such as the ground outside, does not.
+std::vector<bool> reachedBy(const std::vector<Probe>& probes, const std::vector<Box>& objects) {
+  std::vector<bool> reached(objects.size(), false);
+  if (probes.empty()) return reached;
+  Box reach = influenceBounds(probes.front());
+  for (const Probe& probe : probes) {
+    const Box b = influenceBounds(probe);
+    reach = {glm::min(reach.min, b.min), glm::max(reach.max, b.max)};
+  }
+  const glm::dvec3 around = 0.5 * reach.size();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Box& box = objects[i];
+    const bool touches = glm::all(glm::lessThan(box.min, reach.max)) && glm::all(glm::greaterThan(box.max, reach.min));
+    reached[i] = touches && glm::all(glm::greaterThan(box.min, reach.min - around)) &&
+                 glm::all(glm::lessThan(box.max, reach.max + around));
+  }
+  return reached;
+}
+
 bool flat(const Box& box) {
   const glm::dvec3 size = box.size();
   return std::min({size.x, size.y, size.z}) <= 1.0e-6 * std::max({size.x, size.y, size.z});
@@ -50,12 +83,22 @@ std::optional<SunView> sunView(const glm::dvec3& direction, const std::vector<Bo
     const Box b = turned(view.sunFromWorld, caster);
     view.bounds = {glm::min(view.bounds.min, b.min), glm::max(view.bounds.max, b.max)};
   }
-  const glm::dvec3 size = view.bounds.size();
-  const double margin = std::max({size.x, size.y, size.z, 1.0e-6}) * 4.0 / SunShadows::kMapSize;
-  view.bounds = {view.bounds.min - margin, view.bounds.max + margin};
-  view.mapFromWorld = glm::scale(glm::dmat4(1.0), 1.0 / view.bounds.size()) *
-                      glm::translate(glm::dmat4(1.0), -view.bounds.min) * glm::dmat4(view.sunFromWorld);
+  setBounds(view, view.bounds);
   return view;
+}
+
+std::optional<SunView> sunViewAround(const SunView& all, const std::vector<Box>& some) {
+  if (some.empty()) return std::nullopt;
+  Box around = turned(all.sunFromWorld, some.front());
+  for (const Box& one : some) {
+    const Box b = turned(all.sunFromWorld, one);
+    around = {glm::min(around.min, b.min), glm::max(around.max, b.max)};
+  }
+  around.min.z = all.bounds.min.z;
+  around.max.z = all.bounds.max.z;
+  SunView view = all;
+  setBounds(view, around);
+  return 2.0 * texelOf(view) <= texelOf(all) ? std::optional<SunView>(view) : std::nullopt;
 }
 
 std::vector<bool> sunReceivers(const SunView& view, const std::vector<Box>& receivers,
@@ -84,10 +127,13 @@ void SunShadows::sceneChanged() {
   of.on = content_->lamps && content_->sightLines;
   of.models = content_->modelGeneration;
   of.lights = content_->scene.lights;
+  std::vector<Box> bounds;
   for (const DrawnObject& object : content_->objects) {
     of.objects.push_back(object.worldFromModel);
     of.casts.push_back(castsSun(object));
+    bounds.push_back(worldBounds(object));
   }
+  if (of.on) of.reached = reachedBy(content_->scene.probes, bounds);
   if (of == of_) return;
   of_ = std::move(of);
   std::vector<SunShadow>& suns = state_->resources.sunShadows;
@@ -105,31 +151,45 @@ void SunShadows::sceneChanged() {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return lights[a].intensity * glm::length(lights[a].color) > lights[b].intensity * glm::length(lights[b].color);
   });
-  if (order.size() > kMostMaps) order.resize(kMostMaps);
+  if (order.size() > kMostSuns) order.resize(kMostSuns);
   std::sort(order.begin(), order.end());
-  std::vector<Box> receivers, casters;
-  for (const DrawnObject& object : content_->objects) {
-    receivers.push_back(worldBounds(object));
-    if (castsSun(object)) casters.push_back(receivers.back());
+  std::vector<Box> casters;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (of_.casts[i]) casters.push_back(bounds[i]);
   }
   for (const std::size_t light : order) {
     const auto view = sunView(lights[light].direction, casters);
     if (!view) continue;
-    SunShadow sun;
-    sun.light = static_cast<int>(light);
-    sun.size = kMapSize;
-    sun.mapFromWorld = view->mapFromWorld;
-    sun.shades = sunReceivers(*view, receivers, casters);
-    if (std::none_of(sun.shades.begin(), sun.shades.end(), [](bool shaded) { return shaded; })) continue;
-    const glm::dvec3 size = view->bounds.size();
-    const double texel = std::max(size.x, size.y) / kMapSize;
-    const double soft = 2.0 * kSoftAt * std::tan(0.5 * glm::radians(lights[light].angleDegrees)) / 3.0;
-    const double apart = std::clamp(soft, texel, kMostApart * texel);
-    sun.apart = glm::vec2(apart / size.x, apart / size.y);
-    sun.off = static_cast<float>(apart + texel);
-    suns.push_back(std::move(sun));
-    stale_ = true;
+    std::vector<bool> whole = sunReceivers(*view, bounds, casters), near(whole.size(), false);
+    std::vector<Box> around;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      near[i] = whole[i] && of_.reached[i];
+      if (near[i]) around.push_back(bounds[i]);
+    }
+    if (const auto finer = sunViewAround(*view, around)) {
+      for (std::size_t i = 0; i < whole.size(); ++i) whole[i] = whole[i] && !near[i];
+      add(static_cast<int>(light), *finer, std::move(near));
+    }
+    add(static_cast<int>(light), *view, std::move(whole));
   }
+}
+
+void SunShadows::add(int light, const SunView& view, std::vector<bool> shades) {
+  if (std::none_of(shades.begin(), shades.end(), [](bool shaded) { return shaded; })) return;
+  SunShadow sun;
+  sun.light = light;
+  sun.size = kMapSize;
+  sun.mapFromWorld = view.mapFromWorld;
+  sun.shades = std::move(shades);
+  const glm::dvec3 size = view.bounds.size();
+  const double texel = texelOf(view);
+  const double angle = content_->scene.lights[static_cast<std::size_t>(light)].angleDegrees;
+  const double soft = 2.0 * kSoftAt * std::tan(0.5 * glm::radians(angle)) / 3.0;
+  const double apart = std::clamp(soft, texel, kMostApart * texel);
+  sun.apart = glm::vec2(apart / size.x, apart / size.y);
+  sun.off = static_cast<float>(apart + texel);
+  state_->resources.sunShadows.push_back(std::move(sun));
+  stale_ = true;
 }
 
 void SunShadows::update() {

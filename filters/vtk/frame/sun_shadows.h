@@ -1,5 +1,6 @@
 // Shadow maps of suns: of each directional light that asks for no shadows of its own, a depth map of all that stands
-// still, drawn again when something is moved or the light turns. On by themselves where lamps are drawn as shapes; none
+// still, drawn again when something is moved or the light turns; where much more stands than probes reach, a second one
+// for that. An object reads one of them. On by themselves where lamps are drawn as shapes; none
 // for a light whose shadow shows nowhere. They need no probe, so that a first capture has patches of sun, too.
 #pragma once
 
@@ -23,10 +24,14 @@ std::optional<SunView> sunView(const glm::dvec3& direction, const std::vector<Bo
 /// Flat ones throw none on themselves; they are those that have no extent along an axis of the world.
 std::vector<bool> sunReceivers(const SunView& view, const std::vector<Box>& receivers, const std::vector<Box>& casters);
 
+/// A view around some of the objects alone, as deep as `all`, so that what stands between them and the light throws
+/// its shadows there. `some`: their world bounds. Nothing: its texels would not be half as wide as those of `all`.
+std::optional<SunView> sunViewAround(const SunView& all, const std::vector<Box>& some);
+
 class SunShadows {
  public:
   static constexpr int kMapSize = 2048;        ///< texels a side
-  static constexpr std::size_t kMostMaps = 2;  ///< the strongest lights have them: samplers are scarce
+  static constexpr std::size_t kMostSuns = 2;  ///< the strongest lights have maps: samplers are scarce
 
   SunShadows(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, const SceneContent* content)
       : state_(state), content_(content), painter_(window, std::move(state), content) {}
@@ -48,10 +53,13 @@ class SunShadows {
     std::vector<Light> lights;
     std::vector<glm::dmat4> objects;
     std::vector<bool> casts;
+    std::vector<bool> reached;  ///< by probes: they light all of it
     bool operator==(const Of& o) const {
-      return on == o.on && models == o.models && lights == o.lights && objects == o.objects && casts == o.casts;
+      return on == o.on && models == o.models && lights == o.lights && objects == o.objects && casts == o.casts &&
+             reached == o.reached;
     }
   };
+  void add(int light, const SunView& view, std::vector<bool> shades);
   Of of_;
   bool stale_ = false;
   std::deque<ShadowMap> maps_;

@@ -165,9 +165,8 @@ void SurfaceInspector::readMovingMaps() {
              shadow.texture));
   }
   for (const SunShadow& sun : state_->resources.sunShadows) {
-    if (sun.texture == 0) continue;
-    sunMaps_.push_back(read(
-        {sun.light, sun.size, {}, sun.mapFromWorld, glm::dvec2(sun.apart), static_cast<double>(sun.off)}, sun.texture));
+    const MovingMap map{sun.light, sun.size, {}, sun.mapFromWorld, glm::dvec2(sun.apart), static_cast<double>(sun.off)};
+    sunMaps_.push_back(sun.texture != 0 ? read(map, sun.texture) : map);
   }
 }
 
@@ -261,9 +260,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.shadowLights = binding.shadowLights;
   in.sightLights = binding.sightLights;
   in.movingMaps = movingMaps_;
-  for (const MovingMap& map : sunMaps_) {
-    const auto& suns = binding.sunLights;
-    if (std::find(suns.begin(), suns.end(), map.light) != suns.end()) in.sunMaps.push_back(map);
+  for (const SunUse& sun : binding.sunLights) {
+    if (sun.map < sunMaps_.size() && !sunMaps_[sun.map].depth.empty()) in.sunMaps.push_back(sunMaps_[sun.map]);
   }
   Explanation e = explainPixel(in);
   e.rendered = pixel.color;

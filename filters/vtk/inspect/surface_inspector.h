@@ -46,7 +46,7 @@ class SurfaceInspector {
   std::shared_ptr<DrawState> state_;
   SceneContent* content_;
   SurfaceCapture capture_;
-  std::vector<MovingMap> movingMaps_, sunMaps_;  ///< as of the last explanation
+  std::vector<MovingMap> movingMaps_, sunMaps_;  ///< as of the last explanation; a sun's without depths: not drawn
   std::map<std::size_t, vtkSmartPointer<vtkProbeActor>> twins_;
   struct Copy {
     std::weak_ptr<const ProbeMaps> of;

@@ -368,9 +368,11 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   const bool moves = std::any_of(scene.objects.begin(), scene.objects.end(),
                                  [](const auto& entry) { return entry.second.dynamic && entry.second.visible; });
   const auto at = static_cast<std::size_t>(&object - with_.content->objects.data());
-  for (const SunShadow& sun : with_.state->resources.sunShadows) {
-    if (at < sun.shades.size() && sun.shades[at]) binding->sunLights.push_back(sun.light);
-    if (moves) binding->movingLights.push_back(sun.light);
+  const std::vector<SunShadow>& suns = with_.state->resources.sunShadows;
+  for (std::size_t map = 0; map < suns.size(); ++map) {
+    if (at < suns[map].shades.size() && suns[map].shades[at]) binding->sunLights.push_back({suns[map].light, map});
+    const bool another = map > 0 && suns[map - 1].light == suns[map].light;
+    if (moves && !another) binding->movingLights.push_back(suns[map].light);
   }
   for (std::size_t light = 0; light < std::min(scene.lights.size(), kMostShadowLights); ++light) {
     const bool asked = std::any_of(binding->probes.begin(), binding->probes.end(),

@@ -229,7 +229,7 @@ std::string shadowMapDeclarations(const ProbeBinding& binding) {
   };
   if (!binding.movingLights.empty()) text += "#define BP_MOVING_MAP_SIZE " + std::to_string(kMovingMapSize) + ".0f\n";
   for (const int light : binding.movingLights) add("gpu/moving_shadow.glsl", light);
-  for (const int light : binding.sunLights) add("gpu/sun_shadow.glsl", light);
+  for (const SunUse& sun : binding.sunLights) add("gpu/sun_shadow.glsl", sun.light);
   return text;
 }
 

@@ -375,11 +375,10 @@ void uploadShadowMaps(const UniformUpload& to, const DrawState& state, const Pro
     if (on) matrix = glm::mat4(glm::translate(map->mapFromWorld, to.eyeWorld()));
     to.program->SetUniformMatrix4x4(("bpMovingFromEye" + n).c_str(), &matrix[0][0]);
   }
-  for (const int light : binding.sunLights) {
-    const auto map = std::find_if(resources.sunShadows.begin(), resources.sunShadows.end(),
-                                  [&](const SunShadow& shadow) { return shadow.light == light; });
-    const bool on = map != resources.sunShadows.end() && map->texture != 0;
-    const std::string n = std::to_string(light);
+  for (const SunUse& sun : binding.sunLights) {
+    const SunShadow* map = sun.map < resources.sunShadows.size() ? &resources.sunShadows[sun.map] : nullptr;
+    const bool on = map != nullptr && map->light == sun.light && map->texture != 0;
+    const std::string n = std::to_string(sun.light);
     to.texture2d("bpSunMap" + n, on ? map->texture : any);
     glm::mat4 matrix(on ? glm::translate(map->mapFromWorld, to.eyeWorld()) : glm::dmat4(0.0));
     to.program->SetUniformMatrix4x4(("bpSunFromEye" + n).c_str(), &matrix[0][0]);

@@ -84,8 +84,8 @@ void applyShadows(std::string& text, const ProbeBinding& binding, bool positiona
   for (const int light : binding.movingLights) {
     factors[light] += "\n  radiance *= bpMovingShadow" + std::to_string(light) + "(vertexVC.xyz);";
   }
-  for (const int light : binding.sunLights) {
-    factors[light] += "\n  radiance *= bpSunShadow" + std::to_string(light) + "(vertexVC.xyz, N);";
+  for (const SunUse& sun : binding.sunLights) {
+    factors[sun.light] += "\n  radiance *= bpSunShadow" + std::to_string(sun.light) + "(vertexVC.xyz, N);";
   }
   for (const auto& [light, factor] : factors) {
     const std::string radiance =
