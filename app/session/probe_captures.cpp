@@ -19,7 +19,7 @@ ProbeCapture fromPicture(const Probe& probe) {
   ProbeCapture capture;
   capture.probe = probe;
   capture.level0 = cube.radiance;
-  capture.clamped = cube.texelsClamped > 0;
+  capture.clamped = cube.repairs.beyondHalf > 0;
   std::array<std::vector<float>, 6> faces;
   const auto size = static_cast<std::size_t>(cube.radiance.faceSize());
   for (int face = 0; face < 6; ++face) {

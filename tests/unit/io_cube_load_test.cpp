@@ -202,8 +202,8 @@ TEST_F(CubeFile, ValuesThatAreNoRadianceAreReplacedAndCounted) {
   image.pixels[4 * 1000] = 1e9f;
   saveExr(file("a.exr"), image);
   const LoadedCube loaded = loadCube(file("a.exr"));
-  EXPECT_EQ(loaded.texelsNotFinite, 2u);
-  EXPECT_EQ(loaded.texelsClamped, 1u);
+  EXPECT_EQ(loaded.repairs.notFinite, 2u);
+  EXPECT_EQ(loaded.repairs.beyondHalf, 1u);
   for (int i = 0; i < 6 * 4 * loaded.radiance.faceSize() * loaded.radiance.faceSize(); ++i) {
     ASSERT_TRUE(std::isfinite(loaded.radiance.face(0, 0)[i]) && loaded.radiance.face(0, 0)[i] <= 65504.0f);
   }
@@ -218,8 +218,8 @@ TEST_F(CubeFile, WhatIsNoRadianceIsCountedInEachOfSixFiles) {
     saveExr(file(std::string(names[face]) + ".exr"), image);
   }
   const LoadedCube loaded = loadCube(file("px.exr"));
-  EXPECT_EQ(loaded.texelsClamped, 21u);
-  EXPECT_EQ(loaded.texelsNotFinite, 2u);
+  EXPECT_EQ(loaded.repairs.beyondHalf, 21u);
+  EXPECT_EQ(loaded.repairs.notFinite, 2u);
 }
 
 TEST_F(CubeFile, SixFilesUnderEveryCommonName) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "filters/core/base/errors.h"
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/scene/bounces.h"
 #include "filters/io/cube/sky_picture.h"
@@ -158,23 +159,35 @@ Json probeReport(const Scene& scene, const SceneLamps& lamps, const Probe& probe
           {"textureBytes", probeTextureBytes(probe.faceSize, lit)}};
 }
 
-Json skyReport(const Sky& sky) {
+Json skyReport(const Sky& sky, Json& warnings) {
   if (const auto* color = std::get_if<SkyColor>(&sky)) return {{"kind", "color"}, {"color", vector3(color->color)}};
   if (const auto* image = std::get_if<SkyImage>(&sky)) {
-    std::size_t notFinite = 0;
-    const ImageRgbaF pixels =
-        loadSkyPicture(image->file, &notFinite);  // one that cannot be read is found out here, too
+    PictureRepairs repairs;
+    const ImageRgbaF pixels = loadSkyPicture(image->file, &repairs);  // one that cannot be read is found out here, too
+    for (const std::string& sentence : repairs.sentences()) warnings.push_back("sky.image: " + sentence);
     return {{"kind", "image"},
             {"file", image->file},
             {"width", pixels.width},
             {"height", pixels.height},
-            {"texelsNotFinite", notFinite}};
+            {"texelsNotFinite", repairs.notFinite}};
   }
   const SkyGradient& gradient = std::get<SkyGradient>(sky);
   return {{"kind", "gradient"},
           {"top", vector3(gradient.top)},
           {"horizon", vector3(gradient.horizon)},
           {"ground", vector3(gradient.ground)}};
+}
+
+/// What a custom probe's picture asks for and does not get, or why it cannot be read.
+void customWarnings(const Probe& probe, Json& warnings) {
+  if (probe.mode != ProbeMode::Custom || probe.image.empty()) return;
+  const std::string place = "probes." + probe.name + ".image: ";
+  try {
+    const LoadedCube cube = loadCube(probe.image, probe.imageLayout, 0, {probe.encoding, probe.decode});
+    for (const std::string& sentence : cube.repairs.sentences()) warnings.push_back(place + sentence);
+  } catch (const InputError& error) {
+    warnings.push_back(place + error.what());
+  }
 }
 
 Json cameraReport(const Camera& camera) {
@@ -235,7 +248,8 @@ Json sceneReport(const LoadedScene& loaded) {
     report["models"].push_back(modelReport(scene.models[i], *loaded.models[i]));
   }
   report["objects"] = objectsReport(loaded);
-  report["sky"] = skyReport(scene.sky);
+  Json pictures = Json::array();
+  report["sky"] = skyReport(scene.sky, pictures);
   if (scene.skyRotationDegrees != 0.0) report["sky"]["rotationDegrees"] = scene.skyRotationDegrees;
   for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
   for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));
@@ -250,10 +264,8 @@ Json sceneReport(const LoadedScene& loaded) {
     report["fit"]["exposure"] = loaded.exposureAutomatic ? "automatic" : "fixed";
   }
   report["warnings"] = loaded.warnings;
-  if (report["sky"].value("texelsNotFinite", 0) > 0) {
-    report["warnings"].push_back("sky.image: " + std::to_string(report["sky"]["texelsNotFinite"].get<std::size_t>()) +
-                                 " texels are NaN or infinite and count as 0");
-  }
+  for (const Probe& probe : scene.probes) customWarnings(probe, pictures);
+  report["warnings"].insert(report["warnings"].end(), pictures.begin(), pictures.end());
   return report;
 }
 

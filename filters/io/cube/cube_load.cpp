@@ -12,6 +12,7 @@
 #include "filters/io/cube/cube_names.h"
 #include "filters/io/cube/cube_resample.h"
 #include "filters/io/cube/cube_source.h"
+#include "filters/io/cube/picture_repair.h"
 
 namespace boxprobe {
 
@@ -105,13 +106,13 @@ LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
   CubeMap finest(file.maps.radiance.faceSize(), 1);
   LoadedCube result;
   result.layout = CubeLayout::Strip;
-  result.texelsNotFinite = file.texelsNotFinite;
+  result.repairs.notFinite = file.texelsNotFinite;
   const int count = 6 * finest.faceSize() * finest.faceSize();
   for (int texel = 0; texel < count; ++texel) {
     const float* from = file.maps.radiance.face(0, 0) + std::ptrdiff_t(4) * texel;
     float* to = finest.face(0, 0) + std::ptrdiff_t(4) * texel;
-    std::transform(from, from + 4, to, [](float v) { return std::clamp(v, -kHalfMax, kHalfMax); });
-    if (!std::equal(from, from + 4, to)) ++result.texelsClamped;  // from a float file; halves cannot exceed it
+    std::transform(from, from + 4, to, [](float v) { return std::clamp(v, -kHalfMax, kMostRadiance); });
+    if (*std::max_element(to, to + 3) > kHalfMax) ++result.repairs.beyondHalf;  // from a float file: halves do not
   }
   CubeMap distance = std::move(file.maps.distance);
   if (file.maps.capturedRotation != glm::dvec3(0.0)) {
@@ -132,6 +133,7 @@ LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
     }
   }
   convertCube(std::move(finest), std::move(distance), TexelPlacement::Centres, faceSize, result);
+  spreadBeyondHalf(result.radiance, result.repairs);
   return result;
 }
 
@@ -200,6 +202,7 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode
   faces.openExr = names->openExr;
   for (std::size_t i = 0; i < 6; ++i) {
     sources[i] = readCubeSource(names->paths[i], code);
+    if (sources[i].picture.displayWidth == sources[i].picture.displayHeight) fillDisplayWindow(sources[i]);
     const ImageRgbaF& image = sources[i].picture.image;
     if (image.width != image.height) {
       throw InputError(names->paths[i] + ": is " + sizeText(image.width, image.height) + "; a face must be square");
@@ -210,10 +213,15 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode
                        " is " + sizeText(faces.size, faces.size) + "; the six faces must be equal in size");
     }
     faces.sources[i] = &sources[i];
-    result.texelsNotFinite += sources[i].texelsNotFinite;
-    result.texelsClamped += sources[i].texelsClamped;
+    result.repairs.notFinite += sources[i].repairs.notFinite;
+    result.repairs.negative += sources[i].repairs.negative;
+    result.repairs.beyondHalf += sources[i].repairs.beyondHalf;
+    for (const std::string& remark : sources[i].repairs.remarks) {
+      result.repairs.remarks.push_back(std::filesystem::path(names->paths[i]).filename().string() + ": " + remark);
+    }
   }
   convertFaces(faces, faceSize, result);
+  spreadBeyondHalf(result.radiance, result.repairs);
   return result;
 }
 
@@ -232,19 +240,26 @@ LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, co
       (layout == CubeLayout::Automatic || layout == CubeLayout::Strip) && code.encoding == ImageEncoding::Linear;
   if (mayBeBaked && bakedProbeMark(path)) return fromBaked(loadBakedProbe(path), faceSize);
   CubeSource source = readCubeSource(path, code);
-  if (layout == CubeLayout::Automatic) layout = detectLayout(source);
+  if (layout == CubeLayout::Automatic) {
+    layout = detectLayout(source);
+  } else if (!source.picture.envmap) {
+    const ExrPicture& p = source.picture;
+    const bool display = layoutOfShape(p.displayWidth, p.displayHeight) == layout;
+    if (display || layoutOfShape(p.image.width, p.image.height) != layout) fillDisplayWindow(source);
+  }
   const ImageRgbaF& image = source.picture.image;
   if (layout == CubeLayout::Automatic) {
-    if (image.width == image.height) return loadSixFiles(path, faceSize, code);
+    const bool square = source.picture.displayWidth == source.picture.displayHeight;
+    if (square || image.width == image.height) return loadSixFiles(path, faceSize, code);
     throw InputError(path + ": is " + sizeText(image.width, image.height) +
                      ", which is no layout of a cube; use a 2:1 latitude-longitude map, a 6:1 or 1:6 strip, a 4:3 or "
                      "3:4 cross, or six square files");
   }
   LoadedCube result;
   result.layout = layout;
-  result.texelsNotFinite = source.texelsNotFinite;
-  result.texelsClamped = source.texelsClamped;
+  result.repairs = source.repairs;
   convertPicture(source, layout, faceSize, result);
+  spreadBeyondHalf(result.radiance, result.repairs);
   return result;
 }
 

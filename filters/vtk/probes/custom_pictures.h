@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "filters/core/scene/scene.h"
-#include "filters/io/cube/picture_code.h"
+#include "filters/io/cube/cube_file.h"
 #include "filters/math/cube/cube_map.h"
 
 namespace boxprobe {
@@ -35,7 +35,7 @@ class CustomPictures {
     PictureCode code;
     std::shared_ptr<const CubeMap> cube;
     std::string error;
-    std::size_t notFinite = 0, clamped = 0;  ///< numbers of texels
+    PictureRepairs repairs;
     std::string key;
     FilterKind keyFilter = FilterKind::Ggx;  ///< the filter that `key` includes
     int keySamples = 0;                      ///< likewise

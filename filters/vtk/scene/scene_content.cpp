@@ -228,10 +228,10 @@ void SceneContent::rebuildSky() {
   const auto* image = std::get_if<SkyImage>(&scene.sky);
   if (image == nullptr) {
     skyImage.reset();
-    skyTexelsNotFinite = 0;
+    skyRepairs = {};
     skyImageFile_.clear();
   } else if (image->file != skyImageFile_) {
-    skyImage = std::make_shared<ImageRgbaF>(loadSkyPicture(image->file, &skyTexelsNotFinite));
+    skyImage = std::make_shared<ImageRgbaF>(loadSkyPicture(image->file, &skyRepairs));
     skyImageFile_ = image->file;
   }
   sky->SetSky(scene.sky, scene.skyRotationDegrees, skyImage);

@@ -12,6 +12,7 @@
 #include "filters/core/geometry/sight_lines.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/io/cube/cube_file.h"
 #include "filters/vtk/scene/model_actors.h"
 #include "filters/vtk/surface/vtkSkyProp.h"
 
@@ -32,7 +33,7 @@ struct SceneContent {
   std::shared_ptr<const SceneLamps> lamps;     ///< null unless they are drawn as shapes
   SightLinesMaker sightLines;                  ///< traces what hides lamps; null: nothing does
   std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
-  std::size_t skyTexelsNotFinite = 0;          ///< in that image; they were set to 0
+  PictureRepairs skyRepairs;                   ///< of that image
 
   /// Bounds of all visible objects; a box around the origin if there are none.
   Box bounds() const;
