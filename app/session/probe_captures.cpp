@@ -14,8 +14,7 @@ namespace boxprobe {
 namespace {
 
 ProbeCapture fromPicture(const Probe& probe) {
-  const LoadedCube cube =
-      loadCube(probe.image, probe.imageLayout, probe.faceSize, PictureCode{probe.encoding, probe.decode});
+  const LoadedCube cube = loadCustomCube(probe, probe.faceSize);
   ProbeCapture capture;
   capture.probe = probe;
   capture.level0 = cube.radiance;

@@ -74,6 +74,8 @@ Scene fullScene() {
   probe.mode = ProbeMode::Custom;
   probe.image = "sky.exr";
   probe.imageLayout = CubeLayout::Cross;
+  probe.cubeView = CubeView::Inside;
+  probe.imageRotationDegrees = 90.0;
   probe.encoding = ImageEncoding::Rgbm;
   probe.decode = glm::dvec2(34.5, 2.2);
   probe.filter = FilterKind::Gaussian;

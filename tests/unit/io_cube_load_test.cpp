@@ -157,7 +157,7 @@ TEST_F(CubeFile, SkiesOfAnyLayoutAreLatitudeLongitude) {
   }
   for (const CubeLayout layout : {CubeLayout::Strip, CubeLayout::Cross, CubeLayout::LatLong}) {
     saveCubePicture(file("sky.exr"), cube, layout);
-    const ImageRgbaF sky = loadSkyPicture(file("sky.exr"));
+    const ImageRgbaF sky = loadSkyPicture({file("sky.exr")});
     ASSERT_EQ(sky.width, 64);
     ASSERT_EQ(sky.height, 32);
     const auto red = [&](int x, int y) { return sky.pixels[4 * (static_cast<std::size_t>(y) * 64 + x)]; };

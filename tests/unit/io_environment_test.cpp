@@ -79,6 +79,13 @@ glm::vec3 pattern(int x, int y) {
   return {0.25f + 0.5f * static_cast<float>(x), 1.0f + static_cast<float>(y), 2.0f};
 }
 
+ImageRgbaF readSky(const std::string& path, PictureRepairs* repairs = nullptr) {
+  SkyPictureNotes notes;
+  ImageRgbaF image = loadSkyPicture({path}, &notes);
+  if (repairs != nullptr) *repairs = notes.repairs;
+  return image;
+}
+
 TEST_F(Environment, SkiesStandInTheirDisplayWindow) {
   const Imath::Box2i display = window(100, 50, 16, 8);
   const auto inside = [](const Imath::Box2i& box, int x, int y) {
@@ -88,7 +95,7 @@ TEST_F(Environment, SkiesStandInTheirDisplayWindow) {
   for (const Imath::Box2i& data : {window(100, 50, 16, 6), window(107, 50, 9, 8), window(103, 52, 8, 4),
                                    window(98, 49, 21, 12), window(300, 50, 16, 8)}) {
     writeExr(file("a.exr"), display, data, pattern);
-    const ImageRgbaF sky = loadSkyPicture(file("a.exr"));
+    const ImageRgbaF sky = readSky(file("a.exr"));
     ASSERT_EQ(sky.width, 16);
     ASSERT_EQ(sky.height, 8);
     for (int y = 0; y < 8; ++y) {
@@ -111,13 +118,13 @@ TEST_F(Environment, SkiesStandInTheirDisplayWindow) {
 TEST_F(Environment, TheDataWindowCountsWhereTheDisplayWindowIsNoLayout) {
   writeExr(file("a.exr"), window(0, 0, 50, 37), window(3, 4, 16, 8),
            [](int x, int y) { return pattern(x - 3, y - 4); });
-  EXPECT_EQ(at(loadSkyPicture(file("a.exr")), 5, 2), pattern(5, 2));
+  EXPECT_EQ(at(readSky(file("a.exr")), 5, 2), pattern(5, 2));
   ExrWish wish;
   wish.header = [](Imf::Header& header) { Imf::addEnvmap(header, Imf::ENVMAP_LATLONG); };
   writeExr(
       file("b.exr"), window(0, 0, 32, 16), window(3, 4, 16, 8), [](int x, int y) { return pattern(x - 3, y - 4); },
       wish);
-  EXPECT_EQ(at(loadSkyPicture(file("b.exr")), 5, 2), pattern(5, 2));
+  EXPECT_EQ(at(readSky(file("b.exr")), 5, 2), pattern(5, 2));
 }
 
 TEST_F(Environment, ChromaticitiesAreConverted) {
@@ -141,7 +148,7 @@ TEST_F(Environment, ChromaticitiesAreConverted) {
     wish.header = [&](Imf::Header& header) { Imf::addChromaticities(header, row.c); };
     const std::string path = made(
         16, 8, [&](int, int) { return stored; }, wish);
-    const glm::vec3 sky = at(loadSkyPicture(path), 3, 2), picture = at(loadHdrImage(path), 3, 2),
+    const glm::vec3 sky = at(readSky(path), 3, 2), picture = at(loadHdrImage(path), 3, 2),
                     probe(loadCube(path, CubeLayout::Automatic, 16).radiance.texel(0, 3, 5, 6));
     for (int c = 0; c < 3; ++c) {
       const double right = row.matrix[c][0] * stored.x + row.matrix[c][1] * stored.y + row.matrix[c][2] * stored.z;
@@ -155,15 +162,15 @@ TEST_F(Environment, ChromaticitiesAreConverted) {
   }
   ExrWish flagged;
   flagged.header = [](Imf::Header& header) { header.insert("acesImageContainerFlag", Imf::IntAttribute(1)); };
-  const ImageRgbaF aces = loadSkyPicture(made(
+  const ImageRgbaF aces = readSky(made(
       16, 8, [&](int, int) { return stored; }, flagged));
   EXPECT_NEAR(at(aces, 3, 2).x, 2.521686 * 0.8 - 1.134131 * 1.1 - 0.387555 * 1.7, 5e-4);
   ExrWish nonsense;
   nonsense.header = [](Imf::Header& header) { Imf::addChromaticities(header, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}); };
   PictureRepairs repairs;
-  EXPECT_EQ(at(loadSkyPicture(made(
-                                  16, 8, [&](int, int) { return stored; }, nonsense),
-                              &repairs),
+  EXPECT_EQ(at(readSky(made(
+                           16, 8, [&](int, int) { return stored; }, nonsense),
+                       &repairs),
                3, 2),
             stored);
   EXPECT_THAT(repairs.sentences(),
@@ -176,7 +183,7 @@ TEST_F(Environment, LayersAreFoundByTheirNames) {
     const std::string p = prefix;
     made(16, 8, pattern,
          {p + (lower ? "r" : "R"), p + (lower ? "g" : "G"), p + (lower ? "b" : "B"), [](Imf::Header&) {}});
-    EXPECT_EQ(at(loadSkyPicture(file("a.exr")), 5, 2), pattern(5, 2)) << prefix;
+    EXPECT_EQ(at(readSky(file("a.exr")), 5, 2), pattern(5, 2)) << prefix;
   }
 }
 
@@ -185,7 +192,7 @@ TEST_F(Environment, InfinityIsBrightAndNanHasTheHueAround) {
   const auto with = [&](const glm::vec3& odd) {
     PictureRepairs repairs;
     const ImageRgbaF sky =
-        loadSkyPicture(made(16, 8, [&](int x, int y) { return x == 0 && y == 5 ? odd : around; }), &repairs);
+        readSky(made(16, 8, [&](int x, int y) { return x == 0 && y == 5 ? odd : around; }), &repairs);
     EXPECT_EQ(repairs.notFinite, 1u);
     EXPECT_EQ(repairs.sentences().size(), 1u);
     return at(sky, 0, 5);
@@ -196,19 +203,123 @@ TEST_F(Environment, InfinityIsBrightAndNanHasTheHueAround) {
   EXPECT_EQ(with(glm::vec3(kNan)), around);
   EXPECT_EQ(with({1.0f, -kInfinity, 2.0f}), glm::vec3(1.0f, 0.0f, 2.0f));
   // Two of them side by side across the seam: neither counts for the other.
-  const ImageRgbaF pair = loadSkyPicture(
-      made(16, 8, [&](int x, int y) { return (x == 0 || x == 15) && y == 5 ? glm::vec3(kNan) : around; }));
+  const ImageRgbaF pair =
+      readSky(made(16, 8, [&](int x, int y) { return (x == 0 || x == 15) && y == 5 ? glm::vec3(kNan) : around; }));
   EXPECT_EQ(at(pair, 0, 5), around);
   EXPECT_EQ(at(pair, 15, 5), around);
 }
 
 TEST_F(Environment, NegativeRadianceIsNone) {
   PictureRepairs repairs;
-  const ImageRgbaF sky = loadSkyPicture(
+  const ImageRgbaF sky = readSky(
       made(16, 8, [](int x, int y) { return x == 4 && y == 2 ? glm::vec3(-1, 1, 2) : pattern(x, y); }), &repairs);
   EXPECT_EQ(at(sky, 4, 2), glm::vec3(0, 1, 2));
   EXPECT_EQ(repairs.negative, 1u);
   EXPECT_EQ(at(loadHdrImage(file("a.exr")), 4, 2), glm::vec3(-1, 1, 2)) << "a picture that is no environment keeps it";
+}
+
+/// What a viewer at the origin who faces +Z, head up, sees ahead, to the right and above: a photograph without
+/// symmetry.
+glm::vec3 photograph(const glm::dvec3& direction) {
+  const double ahead = direction.z, right = -direction.x, up = direction.y;
+  const double most = std::max({std::fabs(ahead), std::fabs(right), std::fabs(up)});
+  const auto part = [most](double v) { return static_cast<float>(1.0 + 0.5 * v / most); };
+  return {part(ahead), part(right), part(up)};
+}
+
+/// A square of a drawn cross: what is seen at (s, t), -1 to 1 to the right and down, by a camera with these axes.
+struct Shot {
+  int column, row;
+  glm::dvec3 forward, right, down;
+};
+
+TEST_F(Environment, APhotographIsTheSameAsLatitudeLongitudeAndAsACrossOrStripFromInside) {
+  // The viewer's axes in the world, and the six pictures of a head that turns.
+  const glm::dvec3 ahead(0, 0, 1), right(-1, 0, 0), up(0, 1, 0);
+  const std::vector<Shot> wide = {{1, 1, ahead, right, -up},  {2, 1, right, -ahead, -up}, {3, 1, -ahead, -right, -up},
+                                  {0, 1, -right, ahead, -up}, {1, 0, up, right, ahead},   {1, 2, -up, right, -ahead}};
+  std::vector<Shot> tall = wide;
+  tall[2] = {1, 3, -ahead, right, up};  // below the floor, upside down
+  // Right, left, up, down, ahead, behind.
+  const std::vector<Shot> strip = {{0, 0, right, -ahead, -up}, {1, 0, -right, ahead, -up}, {2, 0, up, right, ahead},
+                                   {3, 0, -up, right, -ahead}, {4, 0, ahead, right, -up},  {5, 0, -ahead, -right, -up}};
+  constexpr int n = 16;
+  const auto draw = [&](const std::string& name, int columns, int rows, const std::vector<Shot>& shots) {
+    writeExr(file(name), window(0, 0, columns * n, rows * n), window(0, 0, columns * n, rows * n), [&](int x, int y) {
+      for (const Shot& shot : shots) {
+        if (shot.column != x / n || shot.row != y / n) continue;
+        const double s = (2.0 * (x % n) + 1.0) / n - 1.0, t = (2.0 * (y % n) + 1.0) / n - 1.0;
+        return photograph(shot.forward + s * shot.right + t * shot.down);
+      }
+      return glm::vec3(0.0f);
+    });
+  };
+  draw("wide.exr", 4, 3, wide);
+  draw("tall.exr", 3, 4, tall);
+  draw("strip.exr", 6, 1, strip);
+  writeExr(file("map.exr"), window(0, 0, 128, 64), window(0, 0, 128, 64), [&](int x, int y) {
+    // Ahead in the middle, the viewer's right to the right of it.
+    const double around = ((x + 0.5) / 64 - 1.0) * kPi, above = (0.5 - (y + 0.5) / 64) * kPi;
+    return photograph(std::cos(above) * std::cos(around) * ahead + std::cos(above) * std::sin(around) * right +
+                      std::sin(above) * up);
+  });
+  const ImageRgbaF map = readSky(file("map.exr"));
+  for (const char* name : {"wide.exr", "tall.exr", "strip.exr"}) {
+    SkyPictureNotes notes;
+    const ImageRgbaF inside = loadSkyPicture({file(name), CubeView::Inside}, &notes);
+    EXPECT_EQ(notes.layout, std::string(name) == "strip.exr" ? CubeLayout::Strip : CubeLayout::Cross);
+    const ImageRgbaF outside = loadSkyPicture({file(name)});
+    double worst = 0.0, mirrored = 0.0;
+    for (int y = 2; y < 62; ++y) {
+      for (int x = 0; x < 128; ++x) {
+        const auto apart = [&](const ImageRgbaF& cube) {
+          // Texels of a resampled cube lie on the edges: x = 0 and x = 63 are the same direction.
+          const double longitude = (x + 0.5) / 128 * 63, latitude = (y + 0.5) / 64 * 31;
+          const glm::vec3 d =
+              at(cube, static_cast<int>(longitude + 0.5), static_cast<int>(latitude + 0.5)) - at(map, x, y);
+          return static_cast<double>(std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)}));
+        };
+        worst = std::max(worst, apart(inside));
+        mirrored = std::max(mirrored, apart(outside));
+      }
+    }
+    EXPECT_LT(worst, 0.12) << name;
+    EXPECT_GT(mirrored, 0.9) << name << ": from outside right and left are exchanged";
+    // The custom probe of the same file, texel by texel.
+    Probe probe;
+    probe.image = file(name);
+    probe.cubeView = CubeView::Inside;
+    const CubeMap cube = loadCustomCube(probe, n).radiance;
+    for (int face = 0; face < 6; ++face) {
+      for (int i = 0; i < n * n; ++i) {
+        const auto along = [](int k) { return (2.0f * static_cast<float>(k) + 1.0f) / n - 1.0f; };
+        const glm::vec3 expected = photograph(shading::cubeDirection(face, along(i % n), along(i / n)));
+        const glm::vec4 texel = cube.texel(0, face, i % n, i / n);
+        ASSERT_LT(glm::length(glm::vec3(texel) - expected), 1e-5f) << name << " face " << face << " texel " << i;
+      }
+    }
+  }
+  // A file that says how its faces lie is not asked.
+  saveCubePicture(file("own.exr"), smoothCube(16), CubeLayout::Strip);
+  SkyPictureNotes notes;
+  EXPECT_EQ(loadSkyPicture({file("own.exr"), CubeView::Inside}, &notes).pixels,
+            loadSkyPicture({file("own.exr")}).pixels);
+  EXPECT_THAT(notes.repairs.sentences(), ElementsAre(HasSubstr("cubeView has no effect")));
+}
+
+// The sky's rule: 90 degrees take what is at +Z to +X, and so what is at -X to +Z.
+TEST_F(Environment, ACustomPictureIsTurnedAboutTheVertical) {
+  saveCubePicture(file("faces.exr"), colouredFaces(32), CubeLayout::Cross);
+  Probe probe;
+  probe.image = file("faces.exr");
+  probe.imageRotationDegrees = 90.0;
+  const CubeMap cube = loadCustomCube(probe, 32).radiance;
+  const int from[6] = {4, 5, 2, 3, 1, 0};  // +X shows the file's +Z, -X its -Z, +Z its -X, -Z its +X
+  for (int face = 0; face < 6; ++face) {
+    EXPECT_LT(glm::length(glm::vec3(cube.texel(0, face, 13, 18)) - faceColor(from[face])), 1e-5f) << face;
+  }
+  probe.imageRotationDegrees = 360.0;
+  EXPECT_TRUE(sameTexels(loadCustomCube(probe, 32).radiance, colouredFaces(32)));
 }
 
 /// Irradiance on a surface that faces `normal`, by summing a latitude-longitude map.
@@ -235,7 +346,7 @@ TEST_F(Environment, ASunBeyondHalfFloatsKeepsItsEnergyAndHue) {
   };
   const std::string path = made(64, 32, paint);
   PictureRepairs repairs;
-  const ImageRgbaF sky = loadSkyPicture(path, &repairs);
+  const ImageRgbaF sky = readSky(path, &repairs);
   EXPECT_EQ(repairs.beyondHalf, 1u);
   EXPECT_EQ(repairs.lightLost, 0.0);
   EXPECT_THAT(repairs.sentences(), ElementsAre(HasSubstr("1 texel is above 65504")));
@@ -264,7 +375,7 @@ TEST_F(Environment, ASunBeyondHalfFloatsKeepsItsEnergyAndHue) {
 
 TEST_F(Environment, LightThatNoDiscTakesIsCutAndTold) {
   PictureRepairs repairs;
-  const ImageRgbaF sky = loadSkyPicture(
+  const ImageRgbaF sky = readSky(
       made(64, 32, [](int x, int y) { return x == 40 && y == 12 ? glm::vec3(1e9f, 5e8f, 0.0f) : glm::vec3(1.0f); }),
       &repairs);
   EXPECT_EQ(at(sky, 40, 12), glm::vec3(65504.0f, 32752.0f, 0.0f)) << "its hue stays";

@@ -79,8 +79,11 @@ void saveCubePicture(const std::string& path, const CubeMap& cube, CubeLayout la
 
 /// Reads any environment picture as a cube: EXR or HDR, or an encoded PNG or JPEG. `faceSize` 0: chosen by the
 /// picture's resolution (a power of two). For SixFiles `path` is one of the six, or a pattern with `%s` for the face.
-/// Encoded texels are decoded before resampling. Throws InputError.
+/// Encoded texels are decoded before resampling. `view` is of cubes whose files do not say: a picture seen from inside
+/// is the one from outside with +X and -X exchanged and every face mirrored. Throws InputError.
 LoadedCube loadCube(const std::string& path, CubeLayout layout = CubeLayout::Automatic, int faceSize = 0,
-                    const PictureCode& code = {});
+                    const PictureCode& code = {}, CubeView view = CubeView::Outside);
+/// The picture of a custom probe, with its fields. `faceSize` as above.
+LoadedCube loadCustomCube(const Probe& probe, int faceSize = 0);
 
 }  // namespace boxprobe

@@ -8,7 +8,8 @@
 
 namespace boxprobe {
 
-ImageRgbaF loadSkyPicture(const std::string& path, PictureRepairs* repairs) {
+ImageRgbaF loadSkyPicture(const SkyImage& image, SkyPictureNotes* notes) {
+  const std::string& path = image.file;
   const std::string extension = lowerExtension(path);
   if (extension != ".exr" && extension != ".hdr") {
     throw InputError(path + ": has an extension that is not read; use .exr or .hdr");
@@ -18,11 +19,11 @@ ImageRgbaF loadSkyPicture(const std::string& path, PictureRepairs* repairs) {
   if (layout != CubeLayout::Strip && layout != CubeLayout::Cross) {
     if (layout == CubeLayout::Automatic) fillDisplayWindow(found);
     spreadBeyondHalf(found.picture.image, found.repairs);
-    if (repairs != nullptr) *repairs = std::move(found.repairs);
+    if (notes != nullptr) *notes = {CubeLayout::LatLong, std::move(found.repairs)};
     return std::move(found.picture.image);
   }
-  LoadedCube cube = loadCube(path, layout);
-  if (repairs != nullptr) *repairs = std::move(cube.repairs);
+  LoadedCube cube = loadCube(path, layout, 0, {}, image.cubeView);
+  if (notes != nullptr) *notes = {layout, std::move(cube.repairs)};
   // The same number of texels around the horizon as in the cube.
   const int size = cube.radiance.faceSize();
   constexpr int kSamples = 2;  // along each axis

@@ -37,7 +37,7 @@ std::vector<std::string> sceneRemarks(const SceneContent& content, const FrameRe
   std::vector<std::string> texts;
   const auto* image = std::get_if<SkyImage>(&content.scene.sky);
   if (image != nullptr) {
-    for (const std::string& sentence : content.skyRepairs.sentences()) {
+    for (const std::string& sentence : content.skyNotes.repairs.sentences()) {
       texts.push_back("sky.image: " + image->file + ": " + sentence);
     }
   }

@@ -16,10 +16,12 @@ void CustomPictures::update(const Scene& scene) {
       picture.file = probe.image;
       picture.layout = probe.imageLayout;
       picture.code = {probe.encoding, probe.decode};
+      picture.view = probe.cubeView;
+      picture.rotationDegrees = probe.imageRotationDegrees;
       picture.error.clear();
       try {
         if (probe.image.empty()) throw InputError("mode custom needs the path of a picture");
-        LoadedCube loaded = loadCube(probe.image, probe.imageLayout, 0, picture.code);
+        LoadedCube loaded = loadCustomCube(probe);
         picture.repairs = std::move(loaded.repairs);
         picture.cube = std::make_shared<const CubeMap>(std::move(loaded.radiance));
         picture.key.clear();

@@ -33,6 +33,8 @@ class CustomPictures {
     std::string file;
     CubeLayout layout = CubeLayout::Automatic;
     PictureCode code;
+    CubeView view = CubeView::Outside;
+    double rotationDegrees = 0.0;
     std::shared_ptr<const CubeMap> cube;
     std::string error;
     PictureRepairs repairs;
@@ -41,7 +43,8 @@ class CustomPictures {
     int keySamples = 0;                      ///< likewise
 
     bool isOf(const Probe& probe) const {
-      return file == probe.image && layout == probe.imageLayout && code == PictureCode{probe.encoding, probe.decode};
+      return file == probe.image && layout == probe.imageLayout && view == probe.cubeView &&
+             rotationDegrees == probe.imageRotationDegrees && code == PictureCode{probe.encoding, probe.decode};
     }
   };
   mutable std::map<std::string, Picture> pictures_;  ///< by probe
