@@ -136,7 +136,7 @@ std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const L
 
 std::shared_ptr<const ImageRgbaF> loadSkyImage(const Scene& scene) {
   const auto* image = std::get_if<SkyImage>(&scene.sky);
-  return image != nullptr ? std::make_shared<ImageRgbaF>(loadSkyPicture(image->file)) : nullptr;
+  return image != nullptr ? std::make_shared<ImageRgbaF>(loadSkyPicture(*image)) : nullptr;
 }
 
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models) {

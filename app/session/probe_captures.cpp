@@ -14,12 +14,11 @@ namespace boxprobe {
 namespace {
 
 ProbeCapture fromPicture(const Probe& probe) {
-  const LoadedCube cube =
-      loadCube(probe.image, probe.imageLayout, probe.faceSize, PictureCode{probe.encoding, probe.decode});
+  const LoadedCube cube = loadCustomCube(probe, probe.faceSize);
   ProbeCapture capture;
   capture.probe = probe;
   capture.level0 = cube.radiance;
-  capture.clamped = cube.texelsClamped > 0;
+  capture.clamped = cube.repairs.beyondHalf > 0;
   std::array<std::vector<float>, 6> faces;
   const auto size = static_cast<std::size_t>(cube.radiance.faceSize());
   for (int face = 0; face < 6; ++face) {

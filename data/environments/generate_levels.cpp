@@ -39,7 +39,8 @@ void write(const std::filesystem::path& folder) {
   shown.show(scene, {triangle()}, {scene.cameras.front(), true, {}, {}, {}});
   shown.capture({});
   shown.requireHealthy();
-  saveSkyLevels(levels, skyKey(scene, imageContentKey(loadSkyPicture(picture))), *shown.renderer().mapsOnCpu(""));
+  saveSkyLevels(levels, skyKey(scene, imageContentKey(loadSkyPicture(SkyImage{picture}))),
+                *shown.renderer().mapsOnCpu(""));
 }
 
 }  // namespace

@@ -74,6 +74,8 @@ Scene fullScene() {
   probe.mode = ProbeMode::Custom;
   probe.image = "sky.exr";
   probe.imageLayout = CubeLayout::Cross;
+  probe.cubeView = CubeView::Inside;
+  probe.imageRotationDegrees = 90.0;
   probe.encoding = ImageEncoding::Rgbm;
   probe.decode = glm::dvec2(34.5, 2.2);
   probe.filter = FilterKind::Gaussian;
@@ -134,6 +136,15 @@ void makeCubes() {
     file.setFrameBuffer(pixels, 1, 12);
     file.writePixels(6);
   }
+  const auto lines = [](const std::string& line) { return line + line + line + line; };
+  write("cube/old-runs.hdr", "#?RADIANCE\nEXPOSURE=2\n\n-Y 4 +X 8\n" + lines(std::string("\x80\x40\x20\x82\1\1\1\7")));
+  write("cube/new-runs.hdr", "#?RGBE\r\nFORMAT=32-bit_rle_xyze\r\nCOLORCORR=1 2 .5\r\n\r\n+Y 4 -X 8\r\n" +
+                                 lines(std::string("\2\2\0\10\x88\x80\4\x10\x20\x30\x40\x84\x55\x88\x30\x88\x81", 17)));
+  std::string columns;
+  for (int i = 0; i < 32; ++i) columns += "\x80\x40\x20\x91";
+  write(
+      "cube/columns.hdr",
+      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nPRIMARIES=.708 .292 .17 .797 .131 .046 .3127 .329\n\n+X 8 -Y 4\n" + columns);
   write("cube/flat.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n" + std::string(32, '\x80'));
 }
 

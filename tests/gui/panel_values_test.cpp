@@ -112,9 +112,9 @@ class PanelValuesTest : public WindowTest {
   }
 
   void tryChoices(std::vector<std::string>& lines) {
-    for (const char* name :
-         {"techniqueProjection", "techniqueEvaluation", "mode", "faceSize", "samplesPerPixel", "bounces", "filter",
-          "filterSamples", "clear", "imageLayout", "encoding", "lightShadows", "glassForm", "curve", "fresnel"}) {
+    for (const char* name : {"techniqueProjection", "techniqueEvaluation", "mode", "faceSize", "samplesPerPixel",
+                             "bounces", "filter", "filterSamples", "clear", "imageLayout", "cubeView", "encoding",
+                             "lightShadows", "glassForm", "curve", "fresnel"}) {
       auto* combo = window_->findChild<QComboBox*>(name);
       if (combo == nullptr) {
         lines.push_back("choice " + std::string(name) + " is not there");

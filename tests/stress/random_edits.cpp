@@ -109,6 +109,7 @@ void RandomEdits::changeCapture(Probe& probe) {
       probe.mode = ProbeMode::Custom;
       probe.image = limits_.folder + "/pictures/sky " + std::to_string(below(3)) + ".exr";
       probe.imageLayout = static_cast<CubeLayout>(below(5));
+      probe.cubeView = static_cast<CubeView>(below(2));
   }
 }
 

@@ -95,6 +95,7 @@ TEST(Difference, NamesTheKindOfEachProbeField) {
            [](Probe& p) { p.bounces = 2; }, [](Probe& p) { p.mode = ProbeMode::Realtime; },
            [](Probe& p) { p.image = "a.exr"; }, [](Probe& p) { p.filter = FilterKind::Gaussian; },
            [](Probe& p) { p.samplesPerPixel = 1; }, [](Probe& p) { p.imageLayout = CubeLayout::Strip; },
+           [](Probe& p) { p.cubeView = CubeView::Inside; }, [](Probe& p) { p.imageRotationDegrees = 30; },
            [](Probe& p) { p.encoding = ImageEncoding::Rgbm; }, [](Probe& p) { p.decode = glm::dvec2(5, 1); },
            [](Probe& p) { p.hides = {"mirror"}; }}) {
     EXPECT_EQ(kindsAfter([&](Scene& s) { edit(s.probes[0]); }), "capture ");

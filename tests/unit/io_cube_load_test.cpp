@@ -157,7 +157,7 @@ TEST_F(CubeFile, SkiesOfAnyLayoutAreLatitudeLongitude) {
   }
   for (const CubeLayout layout : {CubeLayout::Strip, CubeLayout::Cross, CubeLayout::LatLong}) {
     saveCubePicture(file("sky.exr"), cube, layout);
-    const ImageRgbaF sky = loadSkyPicture(file("sky.exr"));
+    const ImageRgbaF sky = loadSkyPicture({file("sky.exr")});
     ASSERT_EQ(sky.width, 64);
     ASSERT_EQ(sky.height, 32);
     const auto red = [&](int x, int y) { return sky.pixels[4 * (static_cast<std::size_t>(y) * 64 + x)]; };
@@ -202,8 +202,8 @@ TEST_F(CubeFile, ValuesThatAreNoRadianceAreReplacedAndCounted) {
   image.pixels[4 * 1000] = 1e9f;
   saveExr(file("a.exr"), image);
   const LoadedCube loaded = loadCube(file("a.exr"));
-  EXPECT_EQ(loaded.texelsNotFinite, 2u);
-  EXPECT_EQ(loaded.texelsClamped, 1u);
+  EXPECT_EQ(loaded.repairs.notFinite, 2u);
+  EXPECT_EQ(loaded.repairs.beyondHalf, 1u);
   for (int i = 0; i < 6 * 4 * loaded.radiance.faceSize() * loaded.radiance.faceSize(); ++i) {
     ASSERT_TRUE(std::isfinite(loaded.radiance.face(0, 0)[i]) && loaded.radiance.face(0, 0)[i] <= 65504.0f);
   }
@@ -218,8 +218,8 @@ TEST_F(CubeFile, WhatIsNoRadianceIsCountedInEachOfSixFiles) {
     saveExr(file(std::string(names[face]) + ".exr"), image);
   }
   const LoadedCube loaded = loadCube(file("px.exr"));
-  EXPECT_EQ(loaded.texelsClamped, 21u);
-  EXPECT_EQ(loaded.texelsNotFinite, 2u);
+  EXPECT_EQ(loaded.repairs.beyondHalf, 21u);
+  EXPECT_EQ(loaded.repairs.notFinite, 2u);
 }
 
 TEST_F(CubeFile, SixFilesUnderEveryCommonName) {

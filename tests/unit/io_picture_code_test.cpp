@@ -112,8 +112,8 @@ TEST_F(PictureCodeFile, WhatIsBeyondHalfFloatIsBroughtDownAndCounted) {
     bright += light && picture.pixels[i + 3] > 0 ? 1 : 0;
   }
   EXPECT_GT(bright, 0u);
-  EXPECT_EQ(loaded.texelsClamped, bright);
-  EXPECT_EQ(loaded.texelsNotFinite, 0u);
+  EXPECT_EQ(loaded.repairs.beyondHalf, bright);
+  EXPECT_EQ(loaded.repairs.notFinite, 0u);
   for (int i = 0; i < 6 * 4 * 32 * 32; ++i) EXPECT_LE(loaded.radiance.face(0, 0)[i], 65504.0f);
 }
 

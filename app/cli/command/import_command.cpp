@@ -44,7 +44,8 @@ void runImport(const ImportOptions& options) {
   if (options.report.json) {
     nlohmann::json names = nlohmann::json::array();
     for (const Probe& probe : scene.probes) names.push_back(probe.name);
-    const nlohmann::json report = {{"engine", imported.engine}, {"probes", names}, {"file", options.output}};
+    const nlohmann::json report = {
+        {"engine", imported.engine}, {"probes", names}, {"file", options.output}, {"leftOut", imported.remarks}};
     printDocument(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   } else if (!options.report.quiet) {
     printResult(options.output + ": " + std::to_string(scene.probes.size()) + " probe(s) from " + imported.engine +
@@ -57,15 +58,17 @@ void runImport(const ImportOptions& options) {
 Subcommand addImportCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("import", "Make a scene file from the probes of a Unity or Godot scene");
   const auto options = std::make_shared<ImportOptions>();
-  command->add_option("FILE", options->file, "Unity scene or prefab (.unity, .prefab as text) or Godot scene (.tscn)")
+  command
+      ->add_option("FILE", options->file,
+                   "Unity scene or prefab (.unity, .prefab as text), Godot scene (.tscn), or a probe's .json of export")
       ->required();
   command->add_option("-o,--output", options->output, "Scene file to write (NAME.boxprobe.json)")->type_name("SCENE");
   command->add_option("--model", options->model, "Model of the scene, as exported from the engine (.glb, .gltf, ...)")
       ->type_name("FILE");
   addReportOptions(*command, options->report, "Print what was imported as JSON");
   command->footer(
-      "Reads box, origin, blend distance, importance, intensity and switches; x of Unity's positions is negated, as "
-      "glTF\nexporters do.\nExample:\n  boxprobe import Room.tscn -o room.boxprobe.json --model room.glb");
+      "Reads what has an equivalent and names the rest; x of Unity's positions is negated, as glTF exporters do.\n"
+      "Example:\n  boxprobe import Room.tscn -o room.boxprobe.json --model room.glb");
   return {command, [options] { runImport(*options); }};
 }
 

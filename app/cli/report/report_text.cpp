@@ -69,13 +69,24 @@ std::string probeLine(const Json& p) {
                      " texels a face, " + word(p["bounces"]) + " bounce" + (p["bounces"] == 1 ? "" : "s") + ", " +
                      mebibytes(p["textureBytes"]) + "\n    origin " + vector3(p["origin"]) + ", box " + box(p["box"]);
   line += "\n    diffuse light: " + word(p["diffuseLight"]);
+  if (p.contains("image")) {
+    line += "\n    picture " + word(p["image"]);
+    const std::string layout = p.contains("imageLayout") ? word(p["imageLayout"]) : "";
+    if (!layout.empty()) line += ", " + layout;
+    if (!layout.empty() && layout != "latlong") line += " seen from " + word(p["cubeView"]);
+    if (p.contains("imageRotationDegrees")) line += ", turned by " + word(p["imageRotationDegrees"]) + " degrees";
+  }
   if (p["influence"] != p["box"]) line += "\n    influence " + box(p["influence"]);
   return line;
 }
 
 std::string skyLine(const Json& sky) {
   if (sky["kind"] == "color") return "colour " + vector3(sky["color"]);
-  if (sky["kind"] == "image") return word(sky["file"]) + ", " + word(sky["width"]) + " x " + word(sky["height"]);
+  if (sky["kind"] == "image") {
+    std::string line = word(sky["file"]) + ", " + word(sky["width"]) + " x " + word(sky["height"]);
+    if (sky.contains("cubeView")) line += ", a " + word(sky["layout"]) + " seen from " + word(sky["cubeView"]);
+    return sky.contains("rotationDegrees") ? line + ", turned by " + word(sky["rotationDegrees"]) + " degrees" : line;
+  }
   return "top " + vector3(sky["top"]) + ", horizon " + vector3(sky["horizon"]) + ", ground " + vector3(sky["ground"]);
 }
 

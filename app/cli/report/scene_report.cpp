@@ -6,8 +6,10 @@
 #include <string_view>
 #include <variant>
 
+#include "filters/core/base/errors.h"
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/scene/bounces.h"
+#include "filters/core/scene/scene_fields.h"
 #include "filters/io/cube/sky_picture.h"
 #include "filters/vtk/capture/prefilter.h"
 
@@ -143,6 +145,12 @@ std::string diffuseLightOf(const Scene& scene, const Probe& probe) {
   return probe.mode == ProbeMode::Custom ? "lattice" : "lamps and lattice";
 }
 
+/// A value of a choice as scene files have it.
+template <typename Part>
+std::string choiceId(const std::vector<FieldRow<Part>>& rows, const char* key, int value) {
+  return std::string(fieldNamed(rows, key).choices.at(static_cast<std::size_t>(value)).id);
+}
+
 Json probeReport(const Scene& scene, const SceneLamps& lamps, const Probe& probe) {
   const bool lit = probe.mode != ProbeMode::Custom && !probeLamps(lamps.lamps, probe).empty();
   return {{"name", probe.name},
@@ -158,23 +166,44 @@ Json probeReport(const Scene& scene, const SceneLamps& lamps, const Probe& probe
           {"textureBytes", probeTextureBytes(probe.faceSize, lit)}};
 }
 
-Json skyReport(const Sky& sky) {
+Json skyReport(const Sky& sky, Json& warnings) {
   if (const auto* color = std::get_if<SkyColor>(&sky)) return {{"kind", "color"}, {"color", vector3(color->color)}};
   if (const auto* image = std::get_if<SkyImage>(&sky)) {
-    std::size_t notFinite = 0;
-    const ImageRgbaF pixels =
-        loadSkyPicture(image->file, &notFinite);  // one that cannot be read is found out here, too
-    return {{"kind", "image"},
-            {"file", image->file},
-            {"width", pixels.width},
-            {"height", pixels.height},
-            {"texelsNotFinite", notFinite}};
+    SkyPictureNotes notes;
+    const ImageRgbaF pixels = loadSkyPicture(*image, &notes);  // one that cannot be read is found out here, too
+    for (const std::string& sentence : notes.repairs.sentences()) warnings.push_back("sky.image: " + sentence);
+    Json report = {{"kind", "image"},
+                   {"file", image->file},
+                   {"width", pixels.width},
+                   {"height", pixels.height},
+                   {"texelsNotFinite", notes.repairs.notFinite},
+                   {"layout", choiceId(probeFields(), "imageLayout", static_cast<int>(notes.layout))}};
+    if (notes.layout != CubeLayout::LatLong) {
+      report["cubeView"] = choiceId(skyImageFields(), "cubeView", static_cast<int>(image->cubeView));
+    }
+    return report;
   }
   const SkyGradient& gradient = std::get<SkyGradient>(sky);
   return {{"kind", "gradient"},
           {"top", vector3(gradient.top)},
           {"horizon", vector3(gradient.horizon)},
           {"ground", vector3(gradient.ground)}};
+}
+
+/// The picture of a custom probe: what it is, what it asks for and does not get, or why it cannot be read.
+void addPicture(const Probe& probe, Json& report, Json& warnings) {
+  if (probe.mode != ProbeMode::Custom || probe.image.empty()) return;
+  report["image"] = probe.image;
+  report["cubeView"] = choiceId(probeFields(), "cubeView", static_cast<int>(probe.cubeView));
+  if (probe.imageRotationDegrees != 0.0) report["imageRotationDegrees"] = probe.imageRotationDegrees;
+  const std::string place = "probes." + probe.name + ".image: ";
+  try {
+    const LoadedCube cube = loadCustomCube(probe);
+    report["imageLayout"] = choiceId(probeFields(), "imageLayout", static_cast<int>(cube.layout));
+    for (const std::string& sentence : cube.repairs.sentences()) warnings.push_back(place + sentence);
+  } catch (const InputError& error) {
+    warnings.push_back(place + error.what());
+  }
 }
 
 Json cameraReport(const Camera& camera) {
@@ -235,13 +264,17 @@ Json sceneReport(const LoadedScene& loaded) {
     report["models"].push_back(modelReport(scene.models[i], *loaded.models[i]));
   }
   report["objects"] = objectsReport(loaded);
-  report["sky"] = skyReport(scene.sky);
+  Json pictures = Json::array();
+  report["sky"] = skyReport(scene.sky, pictures);
   if (scene.skyRotationDegrees != 0.0) report["sky"]["rotationDegrees"] = scene.skyRotationDegrees;
   for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
   for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));
   SceneLamps lamps;
   if (scene.lamps == LampForm::Shapes) lamps = sceneLamps(scene, loaded.models);
-  for (const Probe& probe : scene.probes) report["probes"].push_back(probeReport(scene, lamps, probe));
+  for (const Probe& probe : scene.probes) {
+    report["probes"].push_back(probeReport(scene, lamps, probe));
+    addPicture(probe, report["probes"].back(), pictures);
+  }
   report["lamps"] = lampsReport(lamps);
   report["lampRemarks"] = lamps.remarks;
   report["exposure"] = scene.exposure;
@@ -250,10 +283,7 @@ Json sceneReport(const LoadedScene& loaded) {
     report["fit"]["exposure"] = loaded.exposureAutomatic ? "automatic" : "fixed";
   }
   report["warnings"] = loaded.warnings;
-  if (report["sky"].value("texelsNotFinite", 0) > 0) {
-    report["warnings"].push_back("sky.image: " + std::to_string(report["sky"]["texelsNotFinite"].get<std::size_t>()) +
-                                 " texels are NaN or infinite and count as 0");
-  }
+  report["warnings"].insert(report["warnings"].end(), pictures.begin(), pictures.end());
   return report;
 }
 

@@ -43,6 +43,7 @@ ImageFields::ImageFields(Editor& editor, QFormLayout* form)
     : QObject(form->parentWidget()), editor_(editor), form_(form) {
   addFile();
   addLayout();
+  addCubeView();
   addEncoding();
 }
 
@@ -75,6 +76,20 @@ void ImageFields::addLayout() {
                             [layout](Probe& probe) { probe.imageLayout = static_cast<CubeLayout>(layout); });
       });
   layout_->setObjectName("imageLayout");
+}
+
+void ImageFields::addCubeView() {
+  const auto& row = probeField("cubeView");
+  view_ = addProbeChoice(form_, tr("Faces seen from"), choicesOf(row, {tr("Outside"), tr("Inside")}), fieldTip(row),
+                         [this](int view) {
+                           editor_.commitProbe(probeEditLabel(editor_, tr("view of faces")),
+                                               [view](Probe& probe) { probe.cubeView = static_cast<CubeView>(view); });
+                         });
+  view_->setObjectName("cubeView");
+  const auto& turn = probeField("imageRotationDegrees");
+  turn_ = addProbeNumber(editor_, form_, tr("Image turned by"), fieldFormat(turn, 5.0, 1), fieldTip(turn),
+                         [](Probe& probe, double value) { probe.imageRotationDegrees = value; });
+  turn_->setObjectName("imageTurn");
 }
 
 void ImageFields::addEncoding() {
@@ -120,7 +135,7 @@ void ImageFields::choose() {
       PictureCode code{encoding, before.decode};
       if (encoding != before.encoding) code.decode.reset();
       // Found out now, while the probe can stay as it was.
-      loadCube(file, before.imageLayout, 0, code);
+      loadCube(file, before.imageLayout, 0, code, before.cubeView);
       editor_.commitProbe(probeEditLabel(editor_, tr("image")), [&](Probe& edited) {
         edited.mode = ProbeMode::Custom;
         edited.image = file;
@@ -141,7 +156,7 @@ void ImageFields::showRow(QWidget* field, bool shown) {
 
 void ImageFields::update(const Probe& probe) {
   const bool custom = probe.mode == ProbeMode::Custom;
-  for (QWidget* field : std::initializer_list<QWidget*>{row_, layout_, encoding_}) showRow(field, custom);
+  for (QWidget* field : std::initializer_list<QWidget*>{row_, layout_, view_, turn_, encoding_}) showRow(field, custom);
   const bool encoded = custom && probe.encoding != ImageEncoding::Linear;
   showRow(multiplier_, encoded);
   showRow(exponent_, encoded && probe.encoding != ImageEncoding::Dldr);
@@ -149,6 +164,8 @@ void ImageFields::update(const Probe& probe) {
   name_->setText(QFileInfo(path).fileName());
   name_->setToolTip(plainToolTip(path));
   showChoice(layout_, static_cast<int>(probe.imageLayout));
+  showChoice(view_, static_cast<int>(probe.cubeView));
+  turn_->show(probe.imageRotationDegrees);
   showChoice(encoding_, static_cast<int>(probe.encoding));
   const glm::dvec2 decode = decodeOf(probe);
   multiplier_->show(decode.x);

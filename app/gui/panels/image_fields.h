@@ -35,6 +35,7 @@ class ImageFields : public QObject {
  private:
   void addFile();
   void addLayout();
+  void addCubeView();
   void addEncoding();
   void showRow(QWidget* field, bool shown);
 
@@ -42,8 +43,8 @@ class ImageFields : public QObject {
   QFormLayout* form_;
   QWidget* row_ = nullptr;
   QLabel* name_ = nullptr;
-  QComboBox *layout_ = nullptr, *encoding_ = nullptr;
-  ValueField *multiplier_ = nullptr, *exponent_ = nullptr;
+  QComboBox *layout_ = nullptr, *view_ = nullptr, *encoding_ = nullptr;
+  ValueField *turn_ = nullptr, *multiplier_ = nullptr, *exponent_ = nullptr;
 };
 
 }  // namespace boxprobe

@@ -77,6 +77,15 @@ void LightPanel::addSky(QFormLayout* form) {
           [this, turned](double value) { editor_.preview({turn_}, tr("Turn the sky"), turned(value)); });
   connect(turn_, &ValueField::committed, this,
           [this, turned](double value) { editor_.commit({turn_}, tr("Turn the sky"), turned(value)); });
+  const auto& view = fieldNamed(skyImageFields(), "cubeView");
+  skyView_ = addProbeChoice(form, tr("Faces seen from"), choicesOf(view, {tr("Outside"), tr("Inside")}), fieldTip(view),
+                            [this](int value) {
+                              editor_.commit({skyView_}, tr("Set view of the sky's faces"), [value](Scene& scene) {
+                                auto* image = std::get_if<SkyImage>(&scene.sky);
+                                if (image != nullptr) image->cubeView = static_cast<CubeView>(value);
+                              });
+                            });
+  skyView_->setObjectName("skyView");
   const auto& lamps = fieldNamed(sceneFields(), "lamps");
   lamps_ = addProbeChoice(form, tr("Lamps"),
                           {{tr("As shapes"), static_cast<int>(LampForm::Shapes), choiceTip(lamps, LampForm::Shapes)},
@@ -262,6 +271,9 @@ void LightPanel::edit(const void* control, bool preview, const QString& what, co
 void LightPanel::update() {
   const Scene& scene = editor_.scene();
   turn_->show(scene.skyRotationDegrees);
+  const auto* image = std::get_if<SkyImage>(&scene.sky);
+  showRow(skyView_, image != nullptr);
+  if (image != nullptr) showChoice(skyView_, static_cast<int>(image->cubeView));
   showChoice(lamps_, static_cast<int>(scene.lamps));
   if (lights_->count() != static_cast<int>(scene.lights.size())) {
     const QSignalBlocker quiet(lights_);

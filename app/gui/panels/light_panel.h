@@ -56,7 +56,8 @@ class LightPanel : public QWidget {
   QPushButton *remove_ = nullptr, *aim_ = nullptr, *color_ = nullptr;
   QFormLayout* form_ = nullptr;
   ValueField* turn_ = nullptr;
-  QComboBox* lamps_ = nullptr;  ///< of the scene: how shining objects light diffuse surfaces
+  QComboBox* skyView_ = nullptr;  ///< of a cube in the sky's picture; only shown for a picture
+  QComboBox* lamps_ = nullptr;    ///< of the scene: how shining objects light diffuse surfaces
   QComboBox* lights_ = nullptr;
   VectorRow* place_ = nullptr;  ///< a directional light's direction, any other's position
   ValueField* intensity_ = nullptr;

@@ -35,7 +35,7 @@ bool canOpen(const QString& path) {
 
 /// A sky that cannot be read must be found out while the open scene can still stay.
 void requireSky(const Scene& scene) {
-  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadSkyPicture(image->file);
+  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadSkyPicture(*image);
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
 void FileCommands::openSky(const QString& path) {
   if (busy()) return;
   try {
-    loadSkyPicture(path.toStdString());
+    loadSkyPicture(SkyImage{path.toStdString()});
   } catch (const std::exception& error) {
     return showError(tr("No sky"), QString::fromUtf8(error.what()));
   }

@@ -93,6 +93,16 @@ const std::vector<FieldRow<Probe>>& probeFields() {
                    {"cross", "4:3 or 3:4"},
                    {"six", "one file per face"}})
           .changing(capture),
+      field<&Probe::cubeView>("cubeView", "", "From where the faces of a cube in the image are seen.")
+          .choose({{"outside", "as OpenGL and engines lay a cubemap out: right of +Z is +X"},
+                   {"inside", "as in a photograph: right of +Z is -X, what a viewer in the middle has there"}})
+          .changing(capture),
+      field<&Probe::imageRotationDegrees>("imageRotationDegrees", "°",
+                                          "Turns the image about the vertical, as `rotationDegrees` of the sky does: "
+                                          "90 takes +Z to +X.")
+          .anyFinite()
+          .usually(-360, 360)
+          .changing(capture),
       field<&Probe::encoding>("encoding", "", "How the image's texels hold radiance.")
           .choose({{"linear", "radiance as it is: .exr, .hdr"},
                    {"rgbm", "multiplier * M^exponent * colour, M in alpha, colour bytes sRGB: Unity's RGBM"},

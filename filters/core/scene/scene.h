@@ -48,9 +48,15 @@ struct SkyGradient {
   glm::vec3 ground{0.18f, 0.17f, 0.16f};
   bool operator==(const SkyGradient&) const;
 };
-/// Latitude-longitude image (EXR or HDR), linear radiance.
+/// From where the faces of a cube in a picture are seen: the picture of one is the other's mirrored.
+enum class CubeView {
+  Outside,  ///< as OpenGL, Unity and CubeMapGen lay a cubemap out: right of +Z is +X
+  Inside,   ///< as a viewer in its middle sees it, photographs: right of +Z is -X
+};
+/// Image of the surroundings (EXR or HDR), linear radiance: latitude-longitude, or a cube.
 struct SkyImage {
   std::string file;
+  CubeView cubeView = CubeView::Outside;  ///< of a cube
   bool operator==(const SkyImage&) const;
 };
 using Sky = std::variant<SkyGradient, SkyColor, SkyImage>;
@@ -227,6 +233,8 @@ struct Probe {
   ProbeMode mode = ProbeMode::Baked;
   std::string image;  ///< custom mode
   CubeLayout imageLayout = CubeLayout::Automatic;
+  CubeView cubeView = CubeView::Outside;  ///< of an image that is a cube
+  double imageRotationDegrees = 0.0;      ///< rotation of the image about +Y: 90 takes +Z to +X
   ImageEncoding encoding = ImageEncoding::Linear;
   std::optional<glm::dvec2> decode;  ///< multiplier and exponent; empty: the encoding's usual ones
   FilterKind filter = FilterKind::Ggx;

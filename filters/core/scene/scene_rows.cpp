@@ -126,6 +126,9 @@ const std::vector<FieldRow<SkyImage>>& skyImageFields() {
           .notEmpty("name an EXR or HDR file")
           .leftOut("none")
           .always(),
+      field<&SkyImage::cubeView>("cubeView", "", "From where the faces of a cube in the image are seen.")
+          .choose({{"outside", "as OpenGL and engines lay a cubemap out: right of +Z is +X"},
+                   {"inside", "as in a photograph: right of +Z is -X, what a viewer in the middle has there"}}),
   };
   return rows;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/scene.h"
@@ -44,12 +45,23 @@ std::optional<BakedProbeMark> bakedProbeMark(const std::string& path, std::strin
 /// Empty if the checksum matches; else a line that names the file. Never throws.
 std::string bakedProbeDamage(const std::string& path);
 
+/// What reading a picture of the surroundings changed, in texels of the file.
+struct PictureRepairs {
+  std::size_t notFinite = 0;         ///< NaN or infinite, filled in
+  std::size_t negative = 0;          ///< negative in a channel, now 0
+  std::size_t beyondHalf = 0;        ///< above the largest half float: spread over the directions around
+  double lightLost = 0.0;            ///< share of the picture's light that no disc around could take
+  std::vector<std::string> remarks;  ///< what the file asks for and does not get
+
+  /// One sentence each, without the file's name.
+  std::vector<std::string> sentences() const;
+};
+
 struct LoadedCube {
   CubeMap radiance;  ///< one level, OpenGL orientation, alpha = coverage (1 where the file has none)
   CubeMap distance;  ///< empty if the file has none
   CubeLayout layout = CubeLayout::Automatic;  ///< the layout that was found
-  std::size_t texelsNotFinite = 0;            ///< replaced by 0
-  std::size_t texelsClamped = 0;              ///< beyond half range, clamped
+  PictureRepairs repairs;
 };
 
 struct CubePictureOptions {
@@ -67,8 +79,11 @@ void saveCubePicture(const std::string& path, const CubeMap& cube, CubeLayout la
 
 /// Reads any environment picture as a cube: EXR or HDR, or an encoded PNG or JPEG. `faceSize` 0: chosen by the
 /// picture's resolution (a power of two). For SixFiles `path` is one of the six, or a pattern with `%s` for the face.
-/// Encoded texels are decoded before resampling. Throws InputError.
+/// Encoded texels are decoded before resampling. `view` is of cubes whose files do not say: a picture seen from inside
+/// is the one from outside with +X and -X exchanged and every face mirrored. Throws InputError.
 LoadedCube loadCube(const std::string& path, CubeLayout layout = CubeLayout::Automatic, int faceSize = 0,
-                    const PictureCode& code = {});
+                    const PictureCode& code = {}, CubeView view = CubeView::Outside);
+/// The picture of a custom probe, with its fields. `faceSize` as above.
+LoadedCube loadCustomCube(const Probe& probe, int faceSize = 0);
 
 }  // namespace boxprobe

@@ -12,6 +12,7 @@
 #include "filters/io/cube/cube_names.h"
 #include "filters/io/cube/cube_resample.h"
 #include "filters/io/cube/cube_source.h"
+#include "filters/io/cube/picture_repair.h"
 
 namespace boxprobe {
 
@@ -38,18 +39,19 @@ struct Faces {
   FaceCells cells{};
   int size = 0;
   bool openExr = false;
+  bool inside = false;  ///< +X and -X are exchanged, every face is mirrored
 
   CubeMap copy(const PixelReader& read) const {
     CubeMap cube(size, 1);
     for (int face = 0; face < 6; ++face) {
-      const FaceCell cell = cells[static_cast<std::size_t>(face)];
+      const auto from = static_cast<std::size_t>(inside && face < 2 ? 1 - face : face);
+      const FaceCell cell = cells[from];
       const bool vertical = face == 2 || face == 3;
-      const bool flipColumns = openExr ? !vertical : cell.turned, flipRows = openExr ? vertical : cell.turned;
+      const bool flipColumns = openExr ? !vertical : cell.turned != inside, flipRows = openExr ? vertical : cell.turned;
       for (int row = 0; row < size; ++row) {
         for (int column = 0; column < size; ++column) {
           const int x = flipColumns ? size - 1 - column : column, y = flipRows ? size - 1 - row : row;
-          cube.setTexel(0, face, column, row,
-                        read(*sources[static_cast<std::size_t>(face)], cell.column * size + x, cell.row * size + y));
+          cube.setTexel(0, face, column, row, read(*sources[from], cell.column * size + x, cell.row * size + y));
         }
       }
     }
@@ -101,37 +103,41 @@ void convertFaces(const Faces& faces, int faceSize, LoadedCube& result) {
               faces.openExr ? TexelPlacement::Edges : TexelPlacement::Centres, faceSize, result);
 }
 
+/// Both maps sampled in other directions; distances, between which there is nothing, without interpolation.
+void turnMaps(CubeMap& radiance, CubeMap& distance, const glm::mat3& mapFromWorld) {
+  const CubeMap turned = std::move(radiance), seen = std::move(distance);
+  radiance = resampleToCube([&](const glm::vec3& d) { return turned.fetch(mapFromWorld * d, 0.0f); }, turned.faceSize(),
+                            samplesForRatio(1.0));
+  distance = CubeMap();
+  if (seen.empty()) return;
+  const auto nearest = [&](const glm::vec3& d) {
+    const CubePoint point = cubePoint(mapFromWorld * d);
+    const int side = seen.faceSize();
+    return seen.texel(0, point.face, nearestIndex(point.s, side, TexelPlacement::Centres),
+                      nearestIndex(point.t, side, TexelPlacement::Centres));
+  };
+  distance = nearestToCube(nearest, seen.faceSize());
+}
+
 LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
   CubeMap finest(file.maps.radiance.faceSize(), 1);
   LoadedCube result;
   result.layout = CubeLayout::Strip;
-  result.texelsNotFinite = file.texelsNotFinite;
+  result.repairs.notFinite = file.texelsNotFinite;
   const int count = 6 * finest.faceSize() * finest.faceSize();
   for (int texel = 0; texel < count; ++texel) {
     const float* from = file.maps.radiance.face(0, 0) + std::ptrdiff_t(4) * texel;
     float* to = finest.face(0, 0) + std::ptrdiff_t(4) * texel;
-    std::transform(from, from + 4, to, [](float v) { return std::clamp(v, -kHalfMax, kHalfMax); });
-    if (!std::equal(from, from + 4, to)) ++result.texelsClamped;  // from a float file; halves cannot exceed it
+    std::transform(from, from + 4, to, [](float v) { return std::clamp(v, -kHalfMax, kMostRadiance); });
+    if (*std::max_element(to, to + 3) > kHalfMax) ++result.repairs.beyondHalf;  // from a float file: halves do not
   }
   CubeMap distance = std::move(file.maps.distance);
   if (file.maps.capturedRotation != glm::dvec3(0.0)) {
     // As other programs read it: along the world's axes.
-    const glm::mat3 mapFromWorld(glm::transpose(rotationMatrix(file.maps.capturedRotation)));
-    const CubeMap turned = std::move(finest), seen = std::move(distance);
-    finest = resampleToCube([&](const glm::vec3& d) { return turned.fetch(mapFromWorld * d, 0.0f); }, turned.faceSize(),
-                            samplesForRatio(1.0));
-    distance = CubeMap();
-    if (!seen.empty()) {
-      const auto nearest = [&](const glm::vec3& d) {
-        const CubePoint point = cubePoint(mapFromWorld * d);
-        const int side = seen.faceSize();
-        return seen.texel(0, point.face, nearestIndex(point.s, side, TexelPlacement::Centres),
-                          nearestIndex(point.t, side, TexelPlacement::Centres));
-      };
-      distance = nearestToCube(nearest, seen.faceSize());
-    }
+    turnMaps(finest, distance, glm::mat3(glm::transpose(rotationMatrix(file.maps.capturedRotation))));
   }
   convertCube(std::move(finest), std::move(distance), TexelPlacement::Centres, faceSize, result);
+  spreadBeyondHalf(result.radiance, result.repairs);
   return result;
 }
 
@@ -158,7 +164,14 @@ void convertLatLong(const CubeSource& source, int faceSize, LoadedCube& result) 
   result.distance = nearestToCube(nearest, faceSize);
 }
 
-void convertPicture(const CubeSource& source, CubeLayout layout, int faceSize, LoadedCube& result) {
+/// A file that says its orientation is not asked for its view.
+bool fromInside(bool openExr, CubeView view, PictureRepairs& repairs) {
+  if (view == CubeView::Outside) return false;
+  if (openExr) repairs.remarks.emplace_back("cubeView has no effect: the file says how its faces lie, as OpenEXR's");
+  return !openExr;
+}
+
+void convertPicture(const CubeSource& source, CubeLayout layout, int faceSize, CubeView view, LoadedCube& result) {
   if (layout == CubeLayout::LatLong) return convertLatLong(source, faceSize, result);
   const ImageRgbaF& image = source.picture.image;
   Faces faces;
@@ -183,10 +196,11 @@ void convertPicture(const CubeSource& source, CubeLayout layout, int faceSize, L
                        "; a cross of faces is 4:3 or 3:4 and a whole number of faces wide");
     }
   }
+  faces.inside = fromInside(faces.openExr, view, result.repairs);
   convertFaces(faces, faceSize, result);
 }
 
-LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode& code) {
+LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode& code, CubeView view) {
   const auto names = findSixNames(path);
   if (!names) {
     throw InputError(path +
@@ -200,6 +214,7 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode
   faces.openExr = names->openExr;
   for (std::size_t i = 0; i < 6; ++i) {
     sources[i] = readCubeSource(names->paths[i], code);
+    if (sources[i].picture.displayWidth == sources[i].picture.displayHeight) fillDisplayWindow(sources[i]);
     const ImageRgbaF& image = sources[i].picture.image;
     if (image.width != image.height) {
       throw InputError(names->paths[i] + ": is " + sizeText(image.width, image.height) + "; a face must be square");
@@ -210,42 +225,63 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode
                        " is " + sizeText(faces.size, faces.size) + "; the six faces must be equal in size");
     }
     faces.sources[i] = &sources[i];
-    result.texelsNotFinite += sources[i].texelsNotFinite;
-    result.texelsClamped += sources[i].texelsClamped;
+    result.repairs.notFinite += sources[i].repairs.notFinite;
+    result.repairs.negative += sources[i].repairs.negative;
+    result.repairs.beyondHalf += sources[i].repairs.beyondHalf;
+    for (const std::string& remark : sources[i].repairs.remarks) {
+      result.repairs.remarks.push_back(std::filesystem::path(names->paths[i]).filename().string() + ": " + remark);
+    }
   }
+  faces.inside = fromInside(faces.openExr, view, result.repairs);
   convertFaces(faces, faceSize, result);
+  spreadBeyondHalf(result.radiance, result.repairs);
   return result;
 }
 
 }  // namespace
 
-LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, const PictureCode& code) {
+LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, const PictureCode& code, CubeView view) {
   if (faceSize < 0 || faceSize > kLargestLoadedFace || (faceSize & (faceSize - 1)) != 0) {
     throw InputError(path + ": a face size of " + std::to_string(faceSize) +
                      " was asked for; use a power of two up to " + std::to_string(kLargestLoadedFace));
   }
   std::error_code ignored;
   const bool pattern = path.find('%') != std::string::npos && !std::filesystem::exists(path, ignored);
-  if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize, code);
+  if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize, code, view);
   // A baked probe has the exact level and its distances, which its part for other programs lacks.
   const bool mayBeBaked =
       (layout == CubeLayout::Automatic || layout == CubeLayout::Strip) && code.encoding == ImageEncoding::Linear;
   if (mayBeBaked && bakedProbeMark(path)) return fromBaked(loadBakedProbe(path), faceSize);
   CubeSource source = readCubeSource(path, code);
-  if (layout == CubeLayout::Automatic) layout = detectLayout(source);
+  if (layout == CubeLayout::Automatic) {
+    layout = detectLayout(source);
+  } else if (!source.picture.envmap) {
+    const ExrPicture& p = source.picture;
+    const bool display = layoutOfShape(p.displayWidth, p.displayHeight) == layout;
+    if (display || layoutOfShape(p.image.width, p.image.height) != layout) fillDisplayWindow(source);
+  }
   const ImageRgbaF& image = source.picture.image;
   if (layout == CubeLayout::Automatic) {
-    if (image.width == image.height) return loadSixFiles(path, faceSize, code);
+    const bool square = source.picture.displayWidth == source.picture.displayHeight;
+    if (square || image.width == image.height) return loadSixFiles(path, faceSize, code, view);
     throw InputError(path + ": is " + sizeText(image.width, image.height) +
                      ", which is no layout of a cube; use a 2:1 latitude-longitude map, a 6:1 or 1:6 strip, a 4:3 or "
                      "3:4 cross, or six square files");
   }
   LoadedCube result;
   result.layout = layout;
-  result.texelsNotFinite = source.texelsNotFinite;
-  result.texelsClamped = source.texelsClamped;
-  convertPicture(source, layout, faceSize, result);
+  result.repairs = source.repairs;
+  convertPicture(source, layout, faceSize, view, result);
+  spreadBeyondHalf(result.radiance, result.repairs);
   return result;
+}
+
+LoadedCube loadCustomCube(const Probe& probe, int faceSize) {
+  LoadedCube cube = loadCube(probe.image, probe.imageLayout, faceSize, {probe.encoding, probe.decode}, probe.cubeView);
+  const double turn = std::remainder(probe.imageRotationDegrees, 360.0);
+  if (turn == 0.0) return cube;
+  turnMaps(cube.radiance, cube.distance, glm::mat3(glm::transpose(rotationMatrix({0.0, turn, 0.0}))));
+  return cube;
 }
 
 }  // namespace boxprobe

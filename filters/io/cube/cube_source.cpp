@@ -5,36 +5,82 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
+#include "filters/io/cube/picture_repair.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/image/image_detail.h"
-#include "filters/io/image/image_file.h"
+#include "filters/io/image/radiance_reader.h"
 
 namespace boxprobe {
 
 namespace {
 
-void cleanTexels(CubeSource& source) {
-  std::vector<float>& pixels = source.picture.image.pixels;
-  for (std::size_t texel = 0; texel < pixels.size(); texel += 4) {
-    bool finite = true, inRange = true;
-    for (std::size_t c = texel; c < texel + 4; ++c) {
-      if (!std::isfinite(pixels[c])) {
-        finite = false;
-        pixels[c] = 0.0f;
-      } else if (std::fabs(pixels[c]) > kHalfMax) {
-        inRange = false;
-        pixels[c] = std::copysign(kHalfMax, pixels[c]);
-      }
-    }
-    source.texelsNotFinite += finite ? 0 : 1;
-    source.texelsClamped += inRange ? 0 : 1;
+/// The texels as stored, before any repair.
+ExrPicture readPicture(const std::string& path, const PictureCode& code) {
+  const std::string extension = lowerExtension(path);
+  const bool linear = code.encoding == ImageEncoding::Linear;
+  ExrPicture picture;
+  if (linear && extension == ".exr") {
+    withExrFile(path,
+                [&](Imf::MultiPartInputFile& file) { picture = readExrPart(file, picturePart(file, path), path); });
+    return picture;
   }
-  for (float& distance : source.picture.distance) {
-    if (!std::isfinite(distance) || distance < 0.0f) distance = 0.0f;
+  if (!linear) {
+    picture.image = loadEncodedImage(path, code);
+  } else if (extension == ".png" || extension == ".jpg" || extension == ".jpeg") {
+    throw InputError(
+        path +
+        ": has eight bits, which hold no radiance as it is; say how they are to be read with \"encoding\": "
+        "\"rgbm\", \"dldr\" or \"rgbmLinear\", or use an EXR or HDR picture");
+  } else if (extension == ".hdr") {
+    RadiancePicture radiance = decodeRadiance(readWholeFile(path), path);
+    picture.image = std::move(radiance.image);
+    picture.remarks = std::move(radiance.remarks);
+  } else {
+    throw InputError(path + ": has an extension that is not read; use .exr or .hdr");
   }
+  picture.displayWidth = picture.image.width;
+  picture.displayHeight = picture.image.height;
+  return picture;
 }
 
-/// Crops or pads to the display window: a writer may have omitted black borders or rendered overscan.
-void fillDisplayWindow(ExrPicture& picture) {
+}  // namespace
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+}
+
+CubeSource readCubeSource(const std::string& path, const PictureCode& code) {
+  CubeSource source;
+  source.path = path;
+  source.picture = readPicture(path, code);
+  ExrPicture& picture = source.picture;
+  source.repairs.remarks = std::move(picture.remarks);
+  // Before colours are converted, which mixes channels.
+  repairNotFinite(picture.image, layoutOfShape(picture.image.width, picture.image.height) == CubeLayout::LatLong,
+                  source.repairs);
+  convertToRec709(picture);
+  limitRadiance(picture.image, source.repairs);
+  for (float& distance : picture.distance) {
+    if (!std::isfinite(distance) || distance < 0.0f) distance = 0.0f;
+  }
+  return source;
+}
+
+CubeLayout layoutOfShape(long long width, long long height) {
+  if (width == 2 * height) return CubeLayout::LatLong;
+  if (width == 6 * height || height == 6 * width) return CubeLayout::Strip;
+  if (3 * width == 4 * height && width % 4 == 0) return CubeLayout::Cross;
+  if (4 * width == 3 * height && width % 3 == 0) return CubeLayout::Cross;
+  return CubeLayout::Automatic;
+}
+
+// A writer may have omitted black borders or rendered overscan.
+void fillDisplayWindow(CubeSource& source) {
+  ExrPicture& picture = source.picture;
+  const bool same = picture.displayWidth == picture.image.width && picture.displayHeight == picture.image.height &&
+                    picture.offsetX == 0 && picture.offsetY == 0;
+  if (same) return;
+  checkImageSize(source.path, picture.displayWidth, picture.displayHeight);
   ImageRgbaF whole;
   whole.width = picture.displayWidth;
   whole.height = picture.displayHeight;
@@ -55,60 +101,12 @@ void fillDisplayWindow(ExrPicture& picture) {
   picture.offsetX = picture.offsetY = 0;
 }
 
-/// The texels as stored, before any correction.
-ImageRgbaF loadPicture(const std::string& path, const std::string& extension, const PictureCode& code,
-                       std::size_t* notFinite) {
-  if (code.encoding != ImageEncoding::Linear) return loadEncodedImage(path, code);
-  if (extension == ".png" || extension == ".jpg" || extension == ".jpeg") {
-    throw InputError(
-        path +
-        ": has eight bits, which hold no radiance as it is; say how they are to be read with \"encoding\": "
-        "\"rgbm\", \"dldr\" or \"rgbmLinear\", or use an EXR or HDR picture");
-  }
-  return loadHdrImage(path, notFinite);
-}
-
-}  // namespace
-
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
-
-CubeSource readCubeSource(const std::string& path, const PictureCode& code) {
-  CubeSource source;
-  source.path = path;
-  const std::string extension = lowerExtension(path);
-  if (code.encoding == ImageEncoding::Linear && extension == ".exr") {
-    withExrFile(path, [&](Imf::MultiPartInputFile& file) {
-      source.picture = readExrPart(file, picturePart(file, path), path);
-    });
-  } else {
-    source.picture.image = loadPicture(path, extension, code, &source.texelsNotFinite);
-    source.picture.displayWidth = source.picture.image.width;
-    source.picture.displayHeight = source.picture.image.height;
-  }
-  cleanTexels(source);
-  return source;
-}
-
-CubeLayout layoutOfShape(long long width, long long height) {
-  if (width == 2 * height) return CubeLayout::LatLong;
-  if (width == 6 * height || height == 6 * width) return CubeLayout::Strip;
-  if (3 * width == 4 * height && width % 4 == 0) return CubeLayout::Cross;
-  if (4 * width == 3 * height && width % 3 == 0) return CubeLayout::Cross;
-  return CubeLayout::Automatic;
-}
-
 CubeLayout detectLayout(CubeSource& source) {
   ExrPicture& picture = source.picture;
   if (picture.envmap) return *picture.envmap == EnvmapKind::LatLong ? CubeLayout::LatLong : CubeLayout::Strip;
-  const CubeLayout byData = layoutOfShape(picture.image.width, picture.image.height);
-  if (byData != CubeLayout::Automatic) return byData;
   const CubeLayout byDisplay = layoutOfShape(picture.displayWidth, picture.displayHeight);
-  if (byDisplay != CubeLayout::Automatic) {
-    checkImageSize(source.path, picture.displayWidth, picture.displayHeight);
-    fillDisplayWindow(picture);
-  }
+  if (byDisplay == CubeLayout::Automatic) return layoutOfShape(picture.image.width, picture.image.height);
+  fillDisplayWindow(source);
   return byDisplay;
 }
 

@@ -1,19 +1,29 @@
 #include "filters/io/cube/sky_picture.h"
 
-#include "filters/io/cube/cube_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/io/cube/cube_resample.h"
 #include "filters/io/cube/cube_source.h"
-#include "filters/io/image/image_file.h"
+#include "filters/io/cube/picture_repair.h"
 
 namespace boxprobe {
 
-ImageRgbaF loadSkyPicture(const std::string& path, std::size_t* notFinite) {
-  ImageRgbaF image = loadHdrImage(path, notFinite);
-  if (image.width == 2 * image.height) return image;  // no cube layout is twice as wide as high
+ImageRgbaF loadSkyPicture(const SkyImage& image, SkyPictureNotes* notes) {
+  const std::string& path = image.file;
+  const std::string extension = lowerExtension(path);
+  if (extension != ".exr" && extension != ".hdr") {
+    throw InputError(path + ": has an extension that is not read; use .exr or .hdr");
+  }
   CubeSource found = readCubeSource(path, {});
   const CubeLayout layout = detectLayout(found);
-  if (layout != CubeLayout::Strip && layout != CubeLayout::Cross) return image;
-  const LoadedCube cube = loadCube(path, layout);
+  if (layout != CubeLayout::Strip && layout != CubeLayout::Cross) {
+    if (layout == CubeLayout::Automatic) fillDisplayWindow(found);
+    spreadBeyondHalf(found.picture.image, found.repairs);
+    if (notes != nullptr) *notes = {CubeLayout::LatLong, std::move(found.repairs)};
+    return std::move(found.picture.image);
+  }
+  LoadedCube cube = loadCube(path, layout, 0, {}, image.cubeView);
+  if (notes != nullptr) *notes = {layout, std::move(cube.repairs)};
   // The same number of texels around the horizon as in the cube.
   const int size = cube.radiance.faceSize();
   constexpr int kSamples = 2;  // along each axis

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <iterator>
 #include <sstream>
 #include <utility>
+#include <variant>
 
 #include "filters/core/base/number_text.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/io/engines/engine_source.h"
+#include "filters/io/engines/probe_text.h"
 
 namespace boxprobe {
 
@@ -24,6 +27,12 @@ bool listed(std::string_view list, std::string_view word) {
 
 std::string vector3(const glm::dvec3& v) {
   return numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z);
+}
+
+/// Godot has one distance for all faces.
+double largest(const BlendDistance& blend) {
+  const glm::dvec3 both = glm::max(blend.min, blend.max);
+  return std::max({both.x, both.y, both.z});
 }
 
 /// A double-quoted string literal of GDScript, C and similar languages.
@@ -57,6 +66,11 @@ std::string filledIn(const std::string& text, const ExportedProbe& exported) {
       {"@PROBE_Y@", vector3(turn[1])},
       {"@PROBE_Z@", vector3(turn[2])},
       {"@INTENSITY@", numberText(probe.intensity)},
+      {"@FAR@", numberText(probe.farDistance)},
+      {"@INTERIOR@", std::holds_alternative<ClearToNone>(probe.clear) ? "true" : "false"},
+      {"@UPDATE@", probe.mode == ProbeMode::Realtime ? "1" : "0"},
+      {"@BLEND@", numberText(largest(probe.blendDistance))},
+      {"@PROBE@", escaped(probeLine(probe))},
       {"@LATLONG_SHIFT@", exported.ladder->latLongCentre.x > 0.5f ? "0.25" : "0.0"},
   };
   // In one pass: a probe may be called "@FILE@", and substituted text is not a template.

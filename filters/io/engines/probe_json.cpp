@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/engines/probe_text.h"
 
 namespace boxprobe {
 
@@ -82,6 +83,7 @@ std::string probeJson(const ExportedProbe& exported) {
                        {"texels", "at cell centres"}};
     json["ladder"] = {{"name", exported.ladder->id}, {"roughness", "level 0 alone: the engine filters"}};
   }
+  json["probe"] = OrderedJson::parse(probeLine(probe));
   return json.dump(2) + "\n";
 }
 

@@ -1,16 +1,20 @@
 // Unity's text serialization: YAML documents, one per object, headed "--- !u!CLASS &ID". Reads only what probes need:
 // keys at an indentation of two spaces and their flow maps, {x: 1, y: 2, z: 3}.
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/engines/import_detail.h"
+#include "filters/math/cube/srgb.h"
 
 namespace boxprobe {
 
@@ -22,6 +26,7 @@ struct UnityObject {
   double kind = 0.0;  // Unity's class number; any number is possible
   int line = 0;
   std::map<std::string, std::string> values;
+  std::string last;  ///< the key read last, to which deeper lines belong
 };
 using UnityObjects = std::map<std::string, UnityObject>;  // by ID
 
@@ -42,16 +47,53 @@ UnityObjects unityObjects(const std::string& text) {
       object = &objects[row.substr(id + 1, row.find(' ', id) - id - 1)];
       object->kind = leadingNumber(row.substr(7)).value_or(0.0);
       object->line = line;
+    } else if (object != nullptr && row.rfind("    m_Bits:", 0) == 0 && !object->last.empty()) {
+      const std::size_t value = row.find_first_not_of(' ', 11);  // of a mask, on a line of its own
+      if (value != std::string::npos) object->values[object->last] = row.substr(value);
     } else if (object != nullptr && row.size() > 3 && row[0] == ' ' && row[1] == ' ' && row[2] != ' ' &&
                row[2] != '-') {
       const std::size_t colon = row.find(':');
       if (colon != std::string::npos) {
         const std::size_t value = row.find_first_not_of(' ', colon + 1);
-        object->values[row.substr(2, colon - 2)] = value == std::string::npos ? "" : row.substr(value);
+        object->last = row.substr(2, colon - 2);
+        object->values[object->last] = value == std::string::npos ? "" : row.substr(value);
       }
     }
   }
   return objects;
+}
+
+/// What a probe may have and is not carried over, with the value that means nothing is lost, and why.
+struct UnityLeftOut {
+  const char *key, *standard, *why;
+};
+constexpr UnityLeftOut kUnityLeftOut[] = {
+    {"m_Type", "0", "every probe is a cube"},
+    {"m_HDR", "1", "captures keep their whole range"},
+    {"m_ShadowDistance", "100", "the lights' own `shadows` decide in captures"},
+    {"m_CullingMask", "4294967295", "captures see every object but those in `hides`"},
+    {"m_RenderDynamicObjects", "0", "what moves is named in `objects` by `dynamic`"},
+    {"m_UseOcclusionCulling", "1", "it changes no picture"},
+    {"m_UpdateFrequency", "0", "a realtime probe draws one face per frame"},
+};
+
+/// Keys that say nothing about light: links between objects, and what Unity writes for itself.
+bool isUnitysOwn(const std::string& key) {
+  const char* const known[] = {"m_ObjectHideFlags",    "m_CorrespondingSourceObject",
+                               "m_PrefabInstance",     "m_PrefabAsset",
+                               "m_PrefabParentObject", "m_PrefabInternal",
+                               "m_GameObject",         "serializedVersion",
+                               "m_BakedTexture",       "m_BakedRenderPassCount",
+                               "m_UseMipMap"};
+  return std::find(std::begin(known), std::end(known), key) != std::end(known);
+}
+
+bool isReadFromUnity(const std::string& key) {
+  const char* const known[] = {"m_Enabled",       "m_Mode",          "m_RefreshMode",     "m_TimeSlicingMode",
+                               "m_Resolution",    "m_BoxSize",       "m_BoxOffset",       "m_NearClip",
+                               "m_FarClip",       "m_ClearFlags",    "m_BackGroundColor", "m_IntensityMultiplier",
+                               "m_BlendDistance", "m_BoxProjection", "m_Importance",      "m_CustomBakedTexture"};
+  return std::find(std::begin(known), std::end(known), key) != std::end(known);
 }
 
 /// The number or word of a key in "{x: 1, y: 2}".
@@ -88,7 +130,17 @@ class UnityReader {
                        "Editor, Asset Serialization)");
     }
     std::set<std::string> taken;
-    for (const auto& [line, object] : byLine) imported.probes.push_back(probe(*object, taken, imported.remarks));
+    for (const auto& [line, object] : byLine) {
+      const std::string owner = reference(*object, "m_GameObject");
+      const auto gameObject = objects_.find(owner);
+      const std::string name =
+          uniqueName(taken, gameObject == objects_.end() ? "" : text(gameObject->second, "m_Name"));
+      if (const std::string off = whyOff(*object, owner); !off.empty()) {
+        imported.remarks.push_back("probes." + name + ": is left out, because " + off);
+        continue;
+      }
+      imported.probes.push_back(probe(*object, name, imported.remarks));
+    }
     return imported;
   }
 
@@ -152,15 +204,85 @@ class UnityReader {
     return father.empty() || father == "0" ? own : own.within(placement(father, depth + 1));
   }
 
-  Probe probe(const UnityObject& object, std::set<std::string>& taken, std::vector<std::string>& remarks) const {
-    const std::string owner = reference(object, "m_GameObject");
-    const auto gameObject = objects_.find(owner);
-    const auto transform = transformOf_.find(owner);
+  /// Empty if Unity shows the probe: it, its object and the object's parents are all on.
+  std::string whyOff(const UnityObject& object, const std::string& owner) const {
+    if (number(object, "m_Enabled", 1.0) == 0.0) return "m_Enabled is 0";
+    std::string id = owner;
+    constexpr int kDeepest = 256;  // circles are refused where placements are read
+    for (int depth = 0; depth < kDeepest; ++depth) {
+      const auto gameObject = objects_.find(id);
+      if (gameObject == objects_.end()) return "";
+      if (number(gameObject->second, "m_IsActive", 1.0) == 0.0) {
+        return "m_IsActive is 0 of \"" + printable(oneLine(text(gameObject->second, "m_Name"))) + "\"";
+      }
+      const auto transform = transformOf_.find(id);
+      if (transform == transformOf_.end()) return "";
+      const auto father = objects_.find(reference(objects_.at(transform->second), "m_Father"));
+      if (father == objects_.end()) return "";
+      id = reference(father->second, "m_GameObject");
+    }
+    return "";
+  }
+
+  /// Unity keeps colours as the display shows them.
+  glm::vec3 linearColor(const UnityObject& object, const std::string& key) const {
+    const std::string map = text(object, key);
+    glm::vec3 color(0.0f);
+    const char* const names[] = {"r", "g", "b"};
+    for (int i = 0; i < 3; ++i) {
+      const auto read = leadingNumber(inFlowMap(map, names[i]));
+      if (!read || *read < 0.0) fail(object, key + ": expected {r: .., g: .., b: ..}, not " + map);
+      color[i] = linearOfSrgbValue(*read);
+    }
+    return color;
+  }
+
+  int faceSizeOf(const UnityObject& object, const std::string& place, std::vector<std::string>& remarks) const {
+    constexpr int kLeast = 16, kMost = 2048;  // of a scene file
+    const double wanted = number(object, "m_Resolution", 128.0);
+    int size = kLeast;
+    while (size < kMost && size * std::sqrt(2.0) < wanted) size *= 2;
+    if (size != wanted) {
+      remarks.push_back(place + "m_Resolution: " + numberText(wanted) + " becomes " + std::to_string(size) +
+                        ", a power of two from 16 to 2048");
+    }
+    return size;
+  }
+
+  /// How often a realtime probe is captured in Unity.
+  void tellRefresh(const UnityObject& object, const std::string& place, std::vector<std::string>& remarks) const {
+    if (number(object, "m_Mode", 0.0) != 1.0) return;
+    const double refresh = number(object, "m_RefreshMode", 1.0);
+    if (refresh != 1.0) {
+      remarks.push_back(place + "m_RefreshMode: " + numberText(refresh) + " is left out: Unity captures it " +
+                        (refresh == 0.0 ? "once, when it wakes" : "when a script asks") +
+                        ", here it is captured continuously");
+    }
+    if (const double slicing = number(object, "m_TimeSlicingMode", 0.0); slicing != 0.0) {
+      remarks.push_back(place + "m_TimeSlicingMode: " + numberText(slicing) +
+                        " is left out: a realtime probe draws one face per frame");
+    }
+  }
+
+  void listLeftOut(const UnityObject& object, const std::string& place, std::vector<std::string>& remarks) const {
+    for (const auto& [key, value] : object.values) {
+      if (isReadFromUnity(key) || isUnitysOwn(key)) continue;
+      const auto* row = std::find_if(std::begin(kUnityLeftOut), std::end(kUnityLeftOut),
+                                     [&key = key](const UnityLeftOut& known) { return key == known.key; });
+      const bool known = row != std::end(kUnityLeftOut);
+      if (known && value == row->standard) continue;
+      remarks.push_back(printable(oneLine(place + key + ": " + value.substr(0, 80) +
+                                          " is left out: " + (known ? row->why : "it is not known here"))));
+    }
+  }
+
+  Probe probe(const UnityObject& object, const std::string& name, std::vector<std::string>& remarks) const {
+    const auto transform = transformOf_.find(reference(object, "m_GameObject"));
     Probe result;
-    result.name = uniqueName(taken, gameObject == objects_.end() ? "" : text(gameObject->second, "m_Name"));
+    result.name = name;
+    const std::string place = "probes." + name + ": ";
     if (transform == transformOf_.end()) {
-      remarks.push_back("probes." + result.name +
-                        ": its transform is in another file; it is taken to be at the origin");
+      remarks.push_back(place + "its transform is in another file; it is taken to be at the origin");
     }
     const glm::dvec3 position =
         transform == transformOf_.end() ? glm::dvec3(0.0) : placement(transform->second, 0).position;
@@ -180,8 +302,12 @@ class UnityReader {
     result.projection = number(object, "m_BoxProjection", 0.0) != 0.0;
     result.mode = number(object, "m_Mode", 0.0) == 1.0 ? ProbeMode::Realtime : ProbeMode::Baked;
     if (number(object, "m_Mode", 0.0) == 2.0) {
-      remarks.push_back("probes." + result.name + ": its custom picture stays in Unity; it is baked here");
+      remarks.push_back(place + "its custom picture stays in Unity; it is baked here");
     }
+    result.faceSize = faceSizeOf(object, place, remarks);
+    if (number(object, "m_ClearFlags", 1.0) == 2.0) result.clear = linearColor(object, "m_BackGroundColor");
+    tellRefresh(object, place, remarks);
+    listLeftOut(object, place, remarks);
     return result;
   }
 

@@ -10,8 +10,11 @@ namespace boxprobe {
 
 ImageRgbaF loadExr(const std::string& path) {
   ImageRgbaF image;
-  withExrFile(path,
-              [&](Imf::MultiPartInputFile& file) { image = readExrPart(file, picturePart(file, path), path).image; });
+  withExrFile(path, [&](Imf::MultiPartInputFile& file) {
+    ExrPicture picture = readExrPart(file, picturePart(file, path), path);
+    convertToRec709(picture);
+    image = std::move(picture.image);
+  });
   return image;
 }
 

@@ -3,10 +3,13 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 
 #include <algorithm>
+#include <array>
+#include <glm/vec3.hpp>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
@@ -20,6 +23,7 @@ namespace {
 
 constexpr std::size_t kPixelBytes = 4 * sizeof(float);
 const char* const kChannelNames[4] = {"R", "G", "B", "A"};
+const char* const kLowerNames[4] = {"r", "g", "b", "a"};
 
 std::string partName(const std::string& path, int part) {
   return path + ": part " + std::to_string(part);
@@ -32,24 +36,56 @@ bool isFlat(const Imf::Header& header) {
 bool hasColor(const Imf::ChannelList& channels) {
   return channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B");
 }
+
+/// The names of red, green, blue and alpha (empty: none): plain, in lower case, or of a layer, Blender's "Combined"
+/// first.
+std::optional<std::array<std::string, 4>> colorNames(const Imf::ChannelList& channels) {
+  const auto namesOf = [&channels](const std::string& layer, bool lower) {
+    std::array<std::string, 4> names;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::string name = layer + (lower ? kLowerNames[i] : kChannelNames[i]);
+      if (channels.findChannel(name) != nullptr) names[i] = name;
+    }
+    return names;
+  };
+  const auto whole = [](const std::array<std::string, 4>& n) {
+    return !n[0].empty() && !n[1].empty() && !n[2].empty();
+  };
+  std::optional<std::array<std::string, 4>> found;
+  for (const bool lower : {false, true}) {
+    if (const auto names = namesOf("", lower); whole(names)) return names;
+  }
+  for (auto it = channels.begin(); it != channels.end(); ++it) {
+    const std::string name = it.name();
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos || (name.substr(dot + 1) != "R" && name.substr(dot + 1) != "r")) continue;
+    const std::string layer = name.substr(0, dot + 1);
+    const auto names = namesOf(layer, name.back() == 'r');
+    if (!whole(names)) continue;
+    const bool combined = layer == "Combined." || (layer.size() > 10 && layer.rfind(".Combined.") == layer.size() - 10);
+    if (combined) return names;
+    if (!found) found = names;
+  }
+  return found;
+}
 // Luminance alone: with RY and BY it is chroma-subsampled colour, which is not supported.
 bool hasGrey(const Imf::ChannelList& channels) {
   return channels.findChannel("Y") != nullptr && channels.findChannel("RY") == nullptr;
 }
 
-/// The stored channel for each of R, G, B, A; null for none.
+/// The stored channel for each of R, G, B, A; empty for none.
 struct ChannelPlan {
-  const char* source[4] = {nullptr, nullptr, nullptr, nullptr};
-  const char* distance = nullptr;
+  std::array<std::string, 4> source;
+  std::string distance;
 };
 
 ChannelPlan planChannels(const Imf::ChannelList& channels, const std::string& where) {
   ChannelPlan plan;
-  if (channels.findChannel("A") != nullptr) plan.source[3] = "A";
-  if (hasColor(channels)) {
-    for (int i = 0; i < 3; ++i) plan.source[i] = kChannelNames[i];
+  if (const auto colors = colorNames(channels)) {
+    plan.source = *colors;
   } else if (hasGrey(channels)) {
     plan.source[0] = "Y";  // grey: copied to green and blue after reading
+    if (channels.findChannel("A") != nullptr) plan.source[3] = "A";
   } else {
     std::string names;
     for (auto it = channels.begin(); it != channels.end(); ++it)
@@ -60,11 +96,11 @@ ChannelPlan planChannels(const Imf::ChannelList& channels, const std::string& wh
   for (const char* name : {"Z", "distance"}) {
     if (channels.findChannel(name) != nullptr) plan.distance = name;
   }
-  for (const char* source : {plan.source[0], plan.source[1], plan.source[2], plan.source[3], plan.distance}) {
-    if (source == nullptr) continue;
+  for (const std::string& source : {plan.source[0], plan.source[1], plan.source[2], plan.source[3], plan.distance}) {
+    if (source.empty()) continue;
     const Imf::Channel& channel = channels[source];
     if (channel.xSampling != 1 || channel.ySampling != 1) {
-      throw InputError(where + ": channel " + source + " is subsampled; save it at full resolution");
+      throw InputError(oneLine(where + ": channel " + source + " is subsampled; save it at full resolution"));
     }
   }
   return plan;
@@ -82,7 +118,37 @@ void requireFlat(const Imf::Header& header, const std::string& where) {
   if (!isFlat(header)) throw InputError(where + " is deep data (" + oneLine(header.type()) + "); flatten it first");
 }
 
+/// Only of colours: grey has no primaries.
+void readPrimaries(const Imf::Header& header, ExrPicture& picture) {
+  constexpr const char* kAces = "acesImageContainerFlag";
+  const auto* aces = header.findTypedAttribute<Imf::IntAttribute>(kAces);
+  if (!Imf::hasChromaticities(header)) {
+    if (aces != nullptr && aces->value() == 1) picture.primaries = acesPrimaries();
+    return;
+  }
+  const Imf::Chromaticities& c = Imf::chromaticities(header);
+  const auto point = [](const Imath::V2f& xy) { return glm::dvec2(xy.x, xy.y); };
+  const ColorPrimaries primaries{point(c.red), point(c.green), point(c.blue), point(c.white)};
+  if (rec709From(primaries)) {
+    picture.primaries = primaries;
+  } else {
+    picture.remarks.emplace_back("attribute chromaticities is not followed: its primaries span no colours");
+  }
+}
+
 }  // namespace
+
+void convertToRec709(ExrPicture& picture) {
+  if (!picture.primaries) return;
+  const auto matrix = rec709From(*picture.primaries);
+  picture.primaries.reset();
+  if (!matrix || *matrix == glm::dmat3(1.0)) return;
+  std::vector<float>& pixels = picture.image.pixels;
+  for (std::size_t texel = 0; texel < pixels.size(); texel += 4) {
+    const glm::dvec3 light = *matrix * glm::dvec3(pixels[texel], pixels[texel + 1], pixels[texel + 2]);
+    for (int c = 0; c < 3; ++c) pixels[texel + static_cast<std::size_t>(c)] = static_cast<float>(light[c]);
+  }
+}
 
 void withExrFile(const std::string& path, const std::function<void(Imf::MultiPartInputFile&)>& read) {
   requireInputFile(path);
@@ -115,6 +181,9 @@ int picturePart(const Imf::MultiPartInputFile& file, const std::string& path) {
     if (first < 0) first = part;
   }
   if (first >= 0) return first;
+  for (int part = 0; part < file.parts(); ++part) {
+    if (isFlat(file.header(part)) && colorNames(file.header(part).channels())) return part;
+  }
   requireFlat(file.header(0), partName(path, 0));
   planChannels(file.header(0).channels(), partName(path, 0));  // throws if a channel is missing
   return 0;
@@ -137,14 +206,14 @@ ExrPicture readExrPart(Imf::MultiPartInputFile& file, int index, const std::stri
   image.height = static_cast<int>(size.height);
   const auto texels = static_cast<std::size_t>(size.width * size.height);
   image.pixels.assign(texels * 4, 0.0f);
-  picture.hasAlpha = plan.source[3] != nullptr;
+  picture.hasAlpha = !plan.source[3].empty();
   Imf::FrameBuffer buffer;
-  for (int i = 0; i < 4; ++i) {
-    if (plan.source[i] == nullptr) continue;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (plan.source[i].empty()) continue;
     buffer.insert(plan.source[i], Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + i, window, kPixelBytes,
                                                    kPixelBytes * image.width));
   }
-  if (plan.distance != nullptr) {
+  if (!plan.distance.empty()) {
     picture.distance.assign(texels, 0.0f);
     buffer.insert(plan.distance, Imf::Slice::Make(Imf::FLOAT, picture.distance.data(), window));
   }
@@ -152,8 +221,8 @@ ExrPicture readExrPart(Imf::MultiPartInputFile& file, int index, const std::stri
   part.setFrameBuffer(buffer);
   part.readPixels(window.min.y, window.max.y);
   for (std::size_t texel = 0; texel < image.pixels.size(); texel += 4) {
-    if (plan.source[1] == nullptr) image.pixels[texel + 1] = image.pixels[texel + 2] = image.pixels[texel];
-    if (plan.source[3] == nullptr) image.pixels[texel + 3] = 1.0f;
+    if (plan.source[1].empty()) image.pixels[texel + 1] = image.pixels[texel + 2] = image.pixels[texel];
+    if (plan.source[3].empty()) image.pixels[texel + 3] = 1.0f;
   }
 
   if (Imf::hasEnvmap(header)) {
@@ -164,6 +233,7 @@ ExrPicture readExrPart(Imf::MultiPartInputFile& file, int index, const std::stri
     }
     picture.envmap = kind == Imf::ENVMAP_CUBE ? EnvmapKind::Cube : EnvmapKind::LatLong;
   }
+  if (!plan.source[1].empty()) readPrimaries(header, picture);
   const Imath::Box2i display = header.displayWindow();
   const Size displaySize = sizeOf(display);
   const auto asInt = [](long long value) { return static_cast<int>(std::clamp(value, -(1LL << 30), 1LL << 30)); };

@@ -31,7 +31,8 @@ void checkPixelCount(const std::string& path, int width, int height, std::size_t
 ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name,
                         bool* hasAlpha = nullptr);
 
-/// Any scan-line or tiled RGBA, RGB or Y file, half or float; values as stored, including non-finite ones.
+/// Any scan-line or tiled RGBA, RGB or Y file, half or float, as linear Rec. 709; the data window, non-finite values
+/// included.
 ImageRgbaF loadExr(const std::string& path);
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// Chooses a decoder: Radiance HDR and CMYK JPEG go through stb, PNG through png_image.cpp, other JPEG through
-// jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
+// Chooses a decoder: Radiance HDR goes through radiance_reader.cpp, PNG through png_image.cpp, CMYK JPEG through stb,
+// other JPEG through jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
 #include "filters/io/image/image_file.h"
 
 #include <stb/stb_image.h>
@@ -19,7 +19,7 @@
 #include "filters/io/image/image_detail.h"
 #include "filters/io/image/jpeg_image.h"
 #include "filters/io/image/png_image.h"
-#include "filters/io/image/radiance_check.h"
+#include "filters/io/image/radiance_reader.h"
 #include "filters/io/image/webp_image.h"
 
 namespace boxprobe {
@@ -42,31 +42,6 @@ InputError damaged(const std::string& name, const std::string& why = stbi_failur
 
 void appendBytes(void* target, void* data, int size) {
   static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-}
-
-ImageRgbaF loadRadiance(const std::string& path) {
-  const std::string bytes = readWholeFile(path);
-  const int length = static_cast<int>(bytes.size());
-  if (bytes.size() > kLargestEncodedImage || stbi_is_hdr_from_memory(asBytes(bytes), length) == 0) {
-    throw InputError(path + ": is not a Radiance HDR picture; save it as .exr or .hdr");
-  }
-  ImageRgbaF image;
-  int channels = 0;
-  if (stbi_info_from_memory(asBytes(bytes), length, &image.width, &image.height, &channels) == 0) {
-    throw damaged(path);
-  }
-  checkImageSize(path, image.width, image.height);
-  // Best case of its runs: 127 values of one of the four channels in 2 bytes, so at most 16 pixels per byte.
-  constexpr long long kMostPixelsAByte = 16;
-  checkEncodedSize(path, image.width, image.height, bytes.size(), kMostPixelsAByte);
-  if (!radianceRunsAreWhole(bytes, image.width, image.height)) {
-    throw InputError(path + ": is damaged (a row's runs end early or run over); save it again");
-  }
-  const std::unique_ptr<float, StbFree> pixels(
-      stbi_loadf_from_memory(asBytes(bytes), length, &image.width, &image.height, &channels, 4));
-  if (!pixels) throw damaged(path);
-  image.pixels.assign(pixels.get(), pixels.get() + std::size_t(4) * image.width * image.height);
-  return image;
 }
 
 }  // namespace
@@ -168,7 +143,7 @@ ImageRgbaF loadHdrImage(const std::string& path, std::size_t* notFinite) {
   if (extension == ".exr") {
     image = loadExr(path);
   } else if (extension == ".hdr") {
-    image = loadRadiance(path);
+    image = decodeRadiance(readWholeFile(path), path).image;
   } else {
     throw InputError(path + ": has an extension that is not read; use .exr or .hdr");
   }

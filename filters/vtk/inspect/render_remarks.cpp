@@ -36,9 +36,10 @@ std::vector<std::string> sceneRemarks(const SceneContent& content, const FrameRe
                                       const Counters& counters) {
   std::vector<std::string> texts;
   const auto* image = std::get_if<SkyImage>(&content.scene.sky);
-  if (image != nullptr && content.skyTexelsNotFinite > 0) {
-    texts.push_back("sky.image: " + image->file + ": " + std::to_string(content.skyTexelsNotFinite) +
-                    " texels are NaN or infinite and were set to 0");
+  if (image != nullptr) {
+    for (const std::string& sentence : content.skyNotes.repairs.sentences()) {
+      texts.push_back("sky.image: " + image->file + ": " + sentence);
+    }
   }
   constexpr std::size_t kNamed = 5;
   const auto addFirst = [&](const std::vector<std::string>& lines) {

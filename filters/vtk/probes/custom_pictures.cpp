@@ -1,7 +1,6 @@
 #include "filters/vtk/probes/custom_pictures.h"
 
 #include "filters/core/base/errors.h"
-#include "filters/io/cube/cube_file.h"
 #include "filters/vtk/probes/capture_key.h"
 
 namespace boxprobe {
@@ -17,12 +16,13 @@ void CustomPictures::update(const Scene& scene) {
       picture.file = probe.image;
       picture.layout = probe.imageLayout;
       picture.code = {probe.encoding, probe.decode};
+      picture.view = probe.cubeView;
+      picture.rotationDegrees = probe.imageRotationDegrees;
       picture.error.clear();
       try {
         if (probe.image.empty()) throw InputError("mode custom needs the path of a picture");
-        LoadedCube loaded = loadCube(probe.image, probe.imageLayout, 0, picture.code);
-        picture.notFinite = loaded.texelsNotFinite;
-        picture.clamped = loaded.texelsClamped;
+        LoadedCube loaded = loadCustomCube(probe);
+        picture.repairs = std::move(loaded.repairs);
         picture.cube = std::make_shared<const CubeMap>(std::move(loaded.radiance));
         picture.key.clear();
       } catch (const InputError& error) {
@@ -42,13 +42,7 @@ std::vector<std::string> CustomPictures::remarks() const {
   std::vector<std::string> texts;
   for (const auto& [name, picture] : pictures_) {
     const std::string place = "probes." + name + ".image: " + picture.file + ": ";
-    if (picture.notFinite > 0) {
-      texts.push_back(place + std::to_string(picture.notFinite) + " texels are NaN or infinite and were set to 0");
-    }
-    if (picture.clamped > 0) {
-      texts.push_back(place + std::to_string(picture.clamped) +
-                      " texels are above 65504, the largest half-float value, and were clamped to it");
-    }
+    for (const std::string& sentence : picture.repairs.sentences()) texts.push_back(place + sentence);
   }
   return texts;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "filters/core/scene/scene.h"
-#include "filters/io/cube/picture_code.h"
+#include "filters/io/cube/cube_file.h"
 #include "filters/math/cube/cube_map.h"
 
 namespace boxprobe {
@@ -33,15 +33,18 @@ class CustomPictures {
     std::string file;
     CubeLayout layout = CubeLayout::Automatic;
     PictureCode code;
+    CubeView view = CubeView::Outside;
+    double rotationDegrees = 0.0;
     std::shared_ptr<const CubeMap> cube;
     std::string error;
-    std::size_t notFinite = 0, clamped = 0;  ///< numbers of texels
+    PictureRepairs repairs;
     std::string key;
     FilterKind keyFilter = FilterKind::Ggx;  ///< the filter that `key` includes
     int keySamples = 0;                      ///< likewise
 
     bool isOf(const Probe& probe) const {
-      return file == probe.image && layout == probe.imageLayout && code == PictureCode{probe.encoding, probe.decode};
+      return file == probe.image && layout == probe.imageLayout && view == probe.cubeView &&
+             rotationDegrees == probe.imageRotationDegrees && code == PictureCode{probe.encoding, probe.decode};
     }
   };
   mutable std::map<std::string, Picture> pictures_;  ///< by probe

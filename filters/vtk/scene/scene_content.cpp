@@ -228,11 +228,11 @@ void SceneContent::rebuildSky() {
   const auto* image = std::get_if<SkyImage>(&scene.sky);
   if (image == nullptr) {
     skyImage.reset();
-    skyTexelsNotFinite = 0;
-    skyImageFile_.clear();
-  } else if (image->file != skyImageFile_) {
-    skyImage = std::make_shared<ImageRgbaF>(loadSkyPicture(image->file, &skyTexelsNotFinite));
-    skyImageFile_ = image->file;
+    skyNotes = {};
+    skyImageRead_.reset();
+  } else if (!(skyImageRead_ == *image)) {
+    skyImage = std::make_shared<ImageRgbaF>(loadSkyPicture(*image, &skyNotes));
+    skyImageRead_ = *image;
   }
   sky->SetSky(scene.sky, scene.skyRotationDegrees, skyImage);
 }

@@ -6,12 +6,15 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/geometry/sight_lines.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/io/cube/sky_picture.h"
 #include "filters/vtk/scene/model_actors.h"
 #include "filters/vtk/surface/vtkSkyProp.h"
 
@@ -32,7 +35,7 @@ struct SceneContent {
   std::shared_ptr<const SceneLamps> lamps;     ///< null unless they are drawn as shapes
   SightLinesMaker sightLines;                  ///< traces what hides lamps; null: nothing does
   std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
-  std::size_t skyTexelsNotFinite = 0;          ///< in that image; they were set to 0
+  SkyPictureNotes skyNotes;                    ///< of that image
 
   /// Bounds of all visible objects; a box around the origin if there are none.
   Box bounds() const;
@@ -61,7 +64,7 @@ struct SceneContent {
   bool probesDrawn = true;  ///< false: no probe is drawn, and so no lamp as a shape
   /// Reads the sky's image if it has a new one. Throws InputError.
   void rebuildSky();
-  const std::string& skyImageFile() const { return skyImageFile_; }
+  std::string skyImageFile() const { return skyImageRead_ ? skyImageRead_->file : std::string(); }
 
  private:
   bool placeObjects();
@@ -69,7 +72,7 @@ struct SceneContent {
 
   std::vector<std::shared_ptr<const Model>> builtModels_;  ///< the source of the objects
   std::vector<std::string> builtFiles_;
-  std::string skyImageFile_;
+  std::optional<SkyImage> skyImageRead_;
   std::string lampsKey_;
   std::shared_ptr<const SceneLamps> foundLamps_;
   std::vector<bool> lightsAlone_;
