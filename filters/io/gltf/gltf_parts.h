@@ -109,8 +109,8 @@ std::vector<std::uint32_t> readIndices(const GltfFile& file, int accessor, const
 bool readImage(GltfFile& file, int index, const std::string& where);
 
 /// Decodes these images, which must have been read, in parallel. Equal bytes are decoded once per process while any
-/// copy is in use.
-std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(const GltfFile& file, const std::set<int>& images,
+/// copy is in use. Images that cannot be decoded are null, with a warning.
+std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(GltfFile& file, const std::set<int>& images,
                                                               const std::function<void(double)>& progress);
 
 /// Reads materials and decodes the images they use, in parallel; `progress` as in loadModelFile, over the images alone.
@@ -165,10 +165,6 @@ std::vector<int> readShapedMesh(const GltfMeshReading& reading, std::size_t inde
 std::vector<std::string> variantNames(const GltfFile& file);
 /// The material of a primitive in a variant, -1 for none.
 int variantMaterial(const tinygltf::Primitive& primitive, int variant);
-
-/// Computes tangents for a normal-mapped mesh: see gltf_tangents.cpp. Splits vertices where the texture's handedness
-/// changes.
-void addTangents(Mesh& mesh, int uvSet);
 
 /// Animated values that replace a node's own; empty: not animated.
 struct GltfNodePose {
