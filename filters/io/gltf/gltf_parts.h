@@ -189,17 +189,26 @@ std::string nodePlace(const GltfFile& file, std::size_t index);
 /// Transforms of EXT_mesh_gpu_instancing; the identity for a node without it.
 std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t node);
 
+/// Distances of a camera's near and far plane; far 0: none.
+struct GltfClip {
+  double near = 0.0, far = 0.0;
+};
+
 /// The nodes of the default scene in world space.
 struct GltfNodes {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
+  std::vector<GltfClip> clips;  ///< of the cameras
 };
 GltfNodes readNodes(const GltfMeshReading& reading, const GltfPose& pose, const std::function<void(double)>& progress);
 
 /// KHR_lights_punctual's light `index`, placed by a node; below, the same for the file's camera `index`.
 Light readLight(GltfFile& file, int index, const glm::dmat4& worldFromNode, const std::string& where);
 Camera readCamera(GltfFile& file, int index, const glm::dmat4& worldFromNode, const std::string& where);
+
+/// Warns if a camera's near or far plane would cut off something that it sees.
+void warnOfClipping(GltfFile& file, const GltfNodes& nodes);
 
 }  // namespace boxprobe
