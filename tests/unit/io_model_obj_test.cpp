@@ -61,6 +61,34 @@ TEST_F(ObjFile, LinesEndAndContinueInEveryWay) {
   EXPECT_EQ(load(kObjTriangle + "f 1 2 3 # the only one\n").triangleCount(), 1u);
 }
 
+TEST_F(ObjFile, OddTextIsUnderstood) {
+  const std::string lines = "mtllib m.mtl\n" + kObjTriangle + "usemtl \xc3\xbc\xe6\x9c\xa8\n" + kObjFace;
+  write("m.mtl", "newmtl \xc3\xbc\xe6\x9c\xa8\nKd .75 .5 .25\n");
+  for (const bool little : {true, false}) {
+    std::string wide = little ? "\xff\xfe" : "\xfe\xff";
+    const auto put = [&](int unit) {
+      const char low = static_cast<char>(unit & 255), high = static_cast<char>(unit >> 8);
+      wide += little ? std::string{low, high} : std::string{high, low};
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines.compare(i, 5, "\xc3\xbc\xe6\x9c\xa8") == 0) {
+        put(0xfc);
+        put(0x6728);
+        i += 4;
+      } else {
+        put(lines[i]);
+      }
+    }
+    const Model model = load(wide);
+    EXPECT_EQ(glm::vec3(model.materials.at(0).baseColor), glm::vec3(0.75f, 0.5f, 0.25f)) << little;
+  }
+  const Model ghost = load("v 0 0 0\nv 2 0 0\nv 0 3 0\nf 1/1/1 2/2/2 3/3/3\n");
+  EXPECT_EQ(ghost.triangleCount(), 1u) << "lists that the program left out";
+  EXPECT_EQ(ghost.warnings.size(), 2u);
+  const Model undefined = load("v 0 0 0\nv 2 0 0\nv 0 3 0\nvn 1.#IND 0 -1.#QNAN\nf 1//1 2//1 3//1\n");
+  EXPECT_EQ(undefined.meshes.at(0).normals.at(0), glm::vec3(0, 0, 1)) << "the face's own";
+}
+
 TEST_F(ObjFile, LibrariesOnOneLineAndOnSeveral) {
   const std::string body = kObjTriangle + "usemtl m\n" + kObjFace, mtl = "newmtl m\nKd .75 .5 .25\n";
   const glm::vec3 color(0.75f, 0.5f, 0.25f);

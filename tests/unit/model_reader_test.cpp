@@ -262,7 +262,7 @@ TEST_F(ModelReader, BrokenFilesAreRefusedInOneLine) {
   expectRefused("m.obj", v + "f 1 2 4\n", "m.obj:4: \"4\" refers to entry 4, but there are 3");
   expectRefused("m.obj", v + "f 1 2 -9\n", "-9");
   expectRefused("m.obj", v + "f 1 2 0\n", "indices start from 1");
-  expectRefused("m.obj", v + "f 1/7 2/7 3/7\n", "there are 0");
+  expectRefused("m.obj", v + "vt 0 0\nf 1/7 2/7 3/7\n", "there are 1");
   expectRefused("m.obj", v + "f a b c\n", "is not a corner");
   expectRefused("m.obj", v, "has no faces");
   expectRefused("m.obj", "", "has no faces");

@@ -39,7 +39,7 @@ class MtlReader {
   explicit MtlReader(const std::string& path)
       : path_(path),
         name_(std::filesystem::path(path).filename().string()),
-        bytes_(readWholeFile(path)),
+        bytes_(utf8Text(readWholeFile(path))),
         lines_(bytes_) {}
 
   MtlFile read() {
@@ -137,7 +137,7 @@ class MtlReader {
     }
     if (kind == "xyz") color = linearOfXyz(color);
     if (key != "ke" && std::max({color.r, color.g, color.b}) > 1.0) {
-      leaveOut(std::string(written) + " above 1 (taken as 1)");
+      if (key != "ka") leaveOut(std::string(written) + " above 1 (taken as 1)");
       color = glm::dvec3(std::min(color.r, 1.0), std::min(color.g, 1.0), std::min(color.b, 1.0));
     }
     constexpr double kLargest = 1e18;
@@ -164,7 +164,7 @@ class MtlReader {
   void takeMap(const std::string& key, std::string_view line) {
     MtlMap map;
     map.file = path_;
-    while (takeOption(map, line)) {
+    while (takeOption(map, key, line)) {
     }
     map.name = unquoted(line);
     if (map.name.empty()) {
@@ -176,7 +176,7 @@ class MtlReader {
   }
 
   /// Takes an option with its values from the line; false if the line starts with no option.
-  bool takeOption(MtlMap& map, std::string_view& line) {
+  bool takeOption(MtlMap& map, const std::string& key, std::string_view& line) {
     std::string_view rest = line;
     const std::string option = lowerText(nextObjWord(rest));
     if (option.size() < 2 || option.front() != '-') return false;
@@ -198,7 +198,11 @@ class MtlReader {
       map.channel = channel.empty() ? '\0' : channel.front();
     } else if (option == "-blendu" || option == "-blendv" || option == "-texres") {
       nextObjWord(rest);  // how a renderer filters
-    } else if (option == "-boost" || option == "-cc" || option == "-type" || option == "-colorspace") {
+    } else if (option == "-colorspace") {
+      const std::string space = lowerText(nextObjWord(rest));
+      const bool color = key == "map_kd" || key == "map_ks" || key == "map_ke" || key == "map_ps";
+      if (color != (space == "srgb")) leaveOut(option + " " + space + " of " + key);
+    } else if (option == "-boost" || option == "-cc" || option == "-type") {
       leaveOut(option + " " + std::string(nextObjWord(rest)));
     } else {
       return false;  // a file name may start so

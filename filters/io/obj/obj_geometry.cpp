@@ -35,7 +35,7 @@ class GeometryReader {
   GeometryReader(const std::string& path, const LoadProgress& progress)
       : path_(path),
         progress_(progress),
-        bytes_(readWholeFile(path)),
+        bytes_(utf8Text(readWholeFile(path))),
         lines_(bytes_),
         objects_(result_.objects),
         groups_(result_.groups),
@@ -51,7 +51,10 @@ class GeometryReader {
         throw LoadCancelled(path_ + ": loading was cancelled");
       }
     }
-    if (faceLines_ == 0) throw InputError(path_ + ": has no faces; is it an OBJ file?");
+    if (faceLines_ == 0) {
+      throw InputError(path_ + (result_.positions.empty() ? ": has no faces; is it an OBJ file?"
+                                                          : ": has no faces; points and lines are not drawn"));
+    }
     checkCorners();
     finishColors();
     warn();
@@ -194,8 +197,10 @@ class GeometryReader {
                      ", but there are " + std::to_string(count) + "; the file is damaged");
   }
 
-  /// Vertices may stand behind the faces that use them.
-  void checkCorners() const {
+  /// Vertices may stand behind the faces that use them. Some programs write indices of lists that they leave out.
+  void checkCorners() {
+    if (result_.uvs.empty()) leaveOutIndices(&ObjCorner::uv, "texture coordinates");
+    if (result_.normals.empty()) leaveOutIndices(&ObjCorner::normal, "normals");
     for (std::size_t f = 0; f < result_.faces.size(); ++f) {
       const ObjFace& face = result_.faces[f];
       for (std::size_t c = face.first; c < face.first + face.count; ++c) {
@@ -205,6 +210,14 @@ class GeometryReader {
         if (corner.normal != kNoObjEntry) checkIndex(corner.normal, result_.normals.size(), faceLine_[f]);
       }
     }
+  }
+  void leaveOutIndices(std::uint32_t ObjCorner::*part, const char* what) {
+    bool any = false;
+    for (ObjCorner& corner : result_.corners) {
+      any = any || corner.*part != kNoObjEntry;
+      corner.*part = kNoObjEntry;
+    }
+    if (any) result_.warnings.push_back(std::string("refers to ") + what + ", of which it has none");
   }
   void checkIndex(std::uint32_t index, std::size_t count, std::size_t line) const {
     if (index < count) return;

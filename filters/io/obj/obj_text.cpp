@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdint>
 #include <limits>
 
 namespace boxprobe {
@@ -45,6 +46,40 @@ bool ObjLines::next(std::string_view& line) {
   return true;
 }
 
+std::string utf8Text(std::string bytes) {
+  const bool little = bytes.compare(0, 2, "\xff\xfe") == 0, big = bytes.compare(0, 2, "\xfe\xff") == 0;
+  if (!little && !big) return bytes;
+  std::string text;
+  const auto unitAt = [&](std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])); };
+    return little ? byte(at) | (byte(at + 1) << 8) : (byte(at) << 8) | byte(at + 1);
+  };
+  for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
+    std::uint32_t code = unitAt(at);
+    if (code >= 0xd800 && code < 0xdc00 && at + 3 < bytes.size()) {  // the first half of a pair
+      code = 0x10000 + ((code - 0xd800) << 10) + ((unitAt(at + 2) - 0xdc00) & 0x3ff);
+      at += 2;
+    }
+    const auto tail = [&](int shift) { text += static_cast<char>(0x80 | ((code >> shift) & 0x3f)); };
+    if (code < 0x80) {
+      text += static_cast<char>(code);
+    } else if (code < 0x800) {
+      text += static_cast<char>(0xc0 | (code >> 6));
+      tail(0);
+    } else if (code < 0x10000) {
+      text += static_cast<char>(0xe0 | (code >> 12));
+      tail(6);
+      tail(0);
+    } else {
+      text += static_cast<char>(0xf0 | (code >> 18));
+      tail(12);
+      tail(6);
+      tail(0);
+    }
+  }
+  return text;
+}
+
 std::string_view trimmedText(std::string_view text) {
   const std::size_t from = text.find_first_not_of(kBetween);
   if (from == std::string_view::npos) return {};
@@ -80,6 +115,10 @@ std::string lowerText(std::string_view text) {
 
 bool readObjNumber(std::string_view word, double& value) {
   if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
+  if (word.find("#IN") != std::string_view::npos || word.find("#QNAN") != std::string_view::npos) {
+    value = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec == std::errc::invalid_argument || result.ptr != word.data() + word.size()) return false;
   if (result.ec == std::errc::result_out_of_range) {

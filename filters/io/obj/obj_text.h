@@ -27,6 +27,9 @@ class ObjLines {
   std::size_t at_ = 0, raw_ = 0, number_ = 0;
 };
 
+/// The bytes of a text file as UTF-8: one that starts with the byte order mark of UTF-16 is converted.
+std::string utf8Text(std::string bytes);
+
 /// Without spaces, tabs and carriage returns at both ends.
 std::string_view trimmedText(std::string_view text);
 /// Removes the first word, between spaces or tabs, from `rest` and returns it; empty at the end.
@@ -37,8 +40,8 @@ std::string_view nextObjValue(std::string_view& rest);
 std::string unquoted(std::string_view text);
 std::string lowerText(std::string_view text);
 
-/// Independent of the locale. False unless the whole word is a number; "nan" and numbers beyond double precision are
-/// numbers, and not finite.
+/// Independent of the locale. False unless the whole word is a number; "nan", "1.#IND" (as some programs write it) and
+/// numbers beyond double precision are numbers, and not finite.
 bool readObjNumber(std::string_view word, double& value);
 
 }  // namespace boxprobe

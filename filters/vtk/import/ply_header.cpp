@@ -45,9 +45,8 @@ class HeaderReader {
         readElement();
       } else if (word == "property") {
         readProperty();
-      } else {
-        fail(inQuotes(word.substr(0, 40)) + " is not a word of PLY headers; delete the line");
       }
+      // Other lines are taken as comments: Blender 2.4 wrote "Created by ..." without that word.
     }
     checkWhole();
     header_.lines = line_;
