@@ -74,8 +74,8 @@ class GltfPicture : public TemporaryFolder {
     picture = std::make_unique<ScenePicture>(loaded.scene, kSize, kSize);
     picture->renderer->setModels(loaded.models);
     Camera camera;
-    camera.position = {0.0, 0.0, 5.0};
-    camera.target = {0.0, 0.0, 0.0};
+    camera.position = middle + glm::dvec3(0.0, 0.0, 5.0);
+    camera.target = middle;
     camera.parallelHeight = 2.0;
     if (ownCamera) camera = loaded.scene.cameras.front();
     picture->renderer->sync(picture->scene, Changes::all());
@@ -119,6 +119,7 @@ class GltfPicture : public TemporaryFolder {
   SurfacePoint surfaceAt(int x, int y) const { return picture->renderer->explain(x, y, kSize, kSize).surface; }
 
   Sky sky = SkyColor{{0.0f, 0.0f, 0.0f}};
+  glm::dvec3 middle{0.0};  ///< of what is drawn
   bool ownCamera = false;  ///< look through the file's
   bool probes = false;
   std::unique_ptr<ScenePicture> picture;

@@ -219,7 +219,10 @@ TEST_F(ModelGeometry, OnlyTheDefaultSceneIsShown) {
   glb.json["nodes"] = Json::array({{{"name", "a"}, {"mesh", mesh}}, {{"name", "b"}, {"mesh", mesh}}});
   glb.json["scenes"] = Json::array({{{"nodes", {0}}}, {{"nodes", {1}}}});
   glb.json["scene"] = 1;
-  EXPECT_EQ(load().instances.at(0).node, "b");
+  const Model second = load();
+  EXPECT_EQ(second.instances.at(0).node, "b");
+  ASSERT_EQ(second.warnings.size(), 1u);
+  EXPECT_EQ(second.warnings[0], "has 2 scenes, of which the default one is shown");
   glb.json.erase("scenes");
   glb.json.erase("scene");
   EXPECT_EQ(load().instances.size(), 2u);  // no scenes: all roots
@@ -275,6 +278,31 @@ TEST_F(ModelGeometry, AnAnimationFollowsItsTangents) {
     const glm::dvec3 place(model.instances.at(0).worldFromModel[3]);
     EXPECT_LT(glm::length(place - points[0]), 1e-6) << time;
   }
+}
+
+// The triangle stands 5 before the camera, from 0 to 1 in x and y.
+TEST_F(ModelGeometry, PlanesThatCutTheModelAreNamed) {
+  glb.triangle();
+  glb.json["nodes"].push_back({{"camera", 0}, {"translation", {0.3, 0.3, 5.0}}, {"name", "cut"}});
+  if (glb.json.contains("scenes")) glb.json["scenes"][0]["nodes"].push_back(glb.json["nodes"].size() - 1);
+  const auto warningsWith = [&](const Json& camera) {
+    glb.json["cameras"] = Json::array({camera});
+    return load().warnings;
+  };
+  const auto perspective = [](double near, double far) {
+    return Json{{"type", "perspective"}, {"perspective", {{"yfov", 0.6}, {"znear", near}, {"zfar", far}}}};
+  };
+  EXPECT_TRUE(warningsWith(perspective(0.1, 20.0)).empty());
+  ASSERT_EQ(warningsWith(perspective(6.0, 20.0)).size(), 1u);
+  EXPECT_EQ(
+      warningsWith(perspective(6.0, 20.0))[0],
+      "has cameras whose near or far plane cuts off a part of the model, which is drawn all the same (cut: 6 to 20)");
+  EXPECT_EQ(warningsWith(perspective(0.1, 4.0)).size(), 1u);
+  const Json parallel = {{"type", "orthographic"},
+                         {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0.1}, {"zfar", 4.5}}}};
+  EXPECT_EQ(warningsWith(parallel).size(), 1u);
+  glb.json["nodes"].back()["translation"] = {100.3, 0.3, 5.0};
+  EXPECT_TRUE(warningsWith(perspective(6.0, 20.0)).empty()) << "what a camera does not see is not cut off";
 }
 
 TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {

@@ -1,9 +1,13 @@
 // PNG and JPEG of every kind: the same texels as from stb, which read them before and stands for any other decoder.
 #include <gtest/gtest.h>
+#include <stdio.h>
+// jpeglib.h needs FILE of <stdio.h>.
+#include <jpeglib.h>
 #include <png.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -126,6 +130,56 @@ TEST(JpegDecoder, ReadsAsStbToAFewSteps) {
     ASSERT_EQ(read.pixels.size(), wanted.size());
     EXPECT_FALSE(alpha);
     for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_NEAR(read.pixels[i], wanted[i], 4) << i;
+  }
+}
+
+/// 16 x 16 texels of inks; libjpeg marks such files as Adobe's programs do unless told otherwise.
+std::string inkJpeg(const std::array<JSAMPLE, 4>& inks, bool ycck, bool adobe) {
+  jpeg_compress_struct jpeg;
+  jpeg_error_mgr errors;
+  jpeg.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&jpeg);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&jpeg, &bytes, &size);
+  constexpr JDIMENSION kSide = 16;
+  jpeg.image_width = jpeg.image_height = kSide;
+  jpeg.input_components = 4;
+  jpeg.in_color_space = JCS_CMYK;
+  jpeg_set_defaults(&jpeg);
+  jpeg_set_colorspace(&jpeg, ycck ? JCS_YCCK : JCS_CMYK);
+  jpeg_set_quality(&jpeg, 100, TRUE);
+  jpeg.write_Adobe_marker = adobe ? TRUE : FALSE;
+  jpeg_start_compress(&jpeg, TRUE);
+  std::vector<JSAMPLE> row;
+  for (JDIMENSION x = 0; x < kSide; ++x) row.insert(row.end(), inks.begin(), inks.end());
+  for (JDIMENSION y = 0; y < kSide; ++y) {
+    JSAMPROW at = row.data();
+    jpeg_write_scanlines(&jpeg, &at, 1);
+  }
+  jpeg_finish_compress(&jpeg);
+  std::string result(reinterpret_cast<const char*>(bytes), size);
+  jpeg_destroy_compress(&jpeg);
+  free(bytes);
+  return result;
+}
+
+// The same colour as inks, without black and with: 200, 100, 50 is 250, 125, 62.5 by a black that lets 0.8 through.
+TEST(JpegDecoder, InksAreShown) {
+  struct {
+    std::array<JSAMPLE, 4> inks;
+    bool ycck, adobe;
+  } const cases[] = {{{200, 100, 50, 255}, false, true},
+                     {{200, 100, 50, 255}, true, true},
+                     {{250, 125, 63, 204}, false, true},
+                     {{55, 155, 205, 0}, false, false},
+                     {{5, 130, 192, 51}, false, false}};
+  for (const auto& [inks, ycck, adobe] : cases) {
+    const std::string bytes = inkJpeg(inks, ycck, adobe);
+    const ImageRgba8 image =
+        decodeImage8(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), "ink.jpg");
+    const int right[4] = {200, 100, 50, 255};
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(image.pixels[c], right[c], 2) << int(inks[0]) << " " << c;
   }
 }
 

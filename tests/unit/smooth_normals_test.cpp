@@ -1,5 +1,5 @@
 // Normals where thousands of triangles meet: right, and in linear time.
-#include "filters/vtk/import/smooth_normals.h"
+#include "filters/io/mesh/smooth_normals.h"
 
 #include <gtest/gtest.h>
 #include <time.h>

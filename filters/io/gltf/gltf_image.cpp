@@ -23,7 +23,7 @@ bool readImage(GltfFile& file, int index, const std::string& where) {
   return true;
 }
 
-std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(const GltfFile& file, const std::set<int>& images,
+std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(GltfFile& file, const std::set<int>& images,
                                                               const std::function<void(double)>& progress) {
   std::vector<EncodedImage> encoded;
   for (const int index : images) {
@@ -44,7 +44,11 @@ std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(const GltfFile& fi
     }
     encoded.push_back(std::move(image));
   }
-  const auto decoded = imagePool().decode(encoded, progress);
+  std::vector<std::string> problems;
+  const auto decoded = imagePool().decode(encoded, progress, problems);
+  for (const std::string& problem : problems) {
+    if (!problem.empty()) file.warn(oneLine(problem + "; grey takes its place, or it is left out"));
+  }
   std::map<int, std::shared_ptr<const ImageRgba8>> result;
   auto image = decoded.begin();
   for (const int index : images) result[index] = *image++;

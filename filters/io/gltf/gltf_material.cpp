@@ -64,6 +64,14 @@ class MaterialReader {
     return material;
   }
 
+  /// Grey suits a base colour only: other missing textures count as absent.
+  static void leaveOutMissing(Material& material) {
+    if (material.emissiveTexture.image == missingPicture()) material.emissive = glm::vec3(0.0f);
+    for (TextureUse* use : material.textures()) {
+      if (use != &material.baseColorTexture && use->image == missingPicture()) use->image = nullptr;
+    }
+  }
+
   /// Work left for the material read last, to be done when pictures are decoded.
   const std::optional<GltfSpecularGlossiness>& glossiness() const { return glossiness_; }
 
@@ -76,14 +84,6 @@ class MaterialReader {
     leftOut(finish.isAnisotropic(), "anisotropy");
     leftOut(finish.hasFilm(), "iridescence");
     leftOut(finish.tintsSpecular(), "a specular reflection of its own");
-  }
-
-  /// Grey suits a base colour only: other missing textures count as absent.
-  static void leaveOutMissing(Material& material) {
-    if (material.emissiveTexture.image == missingPicture()) material.emissive = glm::vec3(0.0f);
-    for (TextureUse* use : material.textures()) {
-      if (use != &material.baseColorTexture && use->image == missingPicture()) use->image = nullptr;
-    }
   }
 
   /// Products of larger values with light would overflow single precision.
@@ -373,8 +373,12 @@ std::vector<Material> readMaterials(GltfFile& file, const std::function<void(dou
   std::set<int> used;
   forEach([&](const TextureUse& use) { used.insert(wanted(use)); });
   const auto images = decodeImages(file, used, progress);
-  forEach([&](TextureUse& use) { use.image = images.at(wanted(use)); });
+  forEach([&](TextureUse& use) {
+    const std::shared_ptr<const ImageRgba8>& image = images.at(wanted(use));
+    use.image = image ? image : missingPicture();
+  });
   for (std::size_t i = 0; i < materials.size(); ++i) {
+    MaterialReader::leaveOutMissing(materials[i]);
     takeMeanThickness(materials[i]);
     if (glossiness[i]) convertSpecularGlossiness(materials[i], *glossiness[i]);
   }

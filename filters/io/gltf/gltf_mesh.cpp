@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "filters/io/gltf/gltf_parts.h"
+#include "filters/io/mesh/tangents.h"
 
 namespace boxprobe {
 
@@ -111,15 +112,6 @@ std::vector<glm::vec4> readColors(const GltfFile& file, const tinygltf::Primitiv
   }
   for (glm::vec4& color : colors) color = glm::clamp(color, 0.0f, 1.0f);
   return colors;
-}
-
-/// The set of texture coordinates for tangents, which normal maps and anisotropy need; -1: none needed.
-int tangentSet(const Mesh& mesh, const Material& material) {
-  const TextureUse& direction = material.finish.anisotropyTexture;
-  for (const TextureUse* use : {&material.normalTexture, &material.coatNormalTexture, &direction}) {
-    if (use->image && !(use->uvSet == 1 ? mesh.uv1 : mesh.uv).empty()) return use->uvSet;
-  }
-  return material.finish.isAnisotropic() && !mesh.uv.empty() ? 0 : -1;
 }
 
 Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& primitive, int mode,

@@ -155,6 +155,10 @@ class NodeReader {
     };
     for (int copy = 2; taken(); ++copy) camera.name = stem + " " + std::to_string(copy);
     nodes_.cameras.push_back(camera);
+    const tinygltf::Camera& source = file_.gltf.cameras[static_cast<std::size_t>(node.camera)];
+    const bool parallel = source.type == "orthographic";
+    nodes_.clips.push_back({parallel ? source.orthographic.znear : source.perspective.znear,
+                            parallel ? source.orthographic.zfar : source.perspective.zfar});
   }
 
   int mirroredMesh(int original) {

@@ -109,8 +109,8 @@ std::vector<std::uint32_t> readIndices(const GltfFile& file, int accessor, const
 bool readImage(GltfFile& file, int index, const std::string& where);
 
 /// Decodes these images, which must have been read, in parallel. Equal bytes are decoded once per process while any
-/// copy is in use.
-std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(const GltfFile& file, const std::set<int>& images,
+/// copy is in use. Images that cannot be decoded are null, with a warning.
+std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(GltfFile& file, const std::set<int>& images,
                                                               const std::function<void(double)>& progress);
 
 /// Reads materials and decodes the images they use, in parallel; `progress` as in loadModelFile, over the images alone.
@@ -166,10 +166,6 @@ std::vector<std::string> variantNames(const GltfFile& file);
 /// The material of a primitive in a variant, -1 for none.
 int variantMaterial(const tinygltf::Primitive& primitive, int variant);
 
-/// Computes tangents for a normal-mapped mesh: see gltf_tangents.cpp. Splits vertices where the texture's handedness
-/// changes.
-void addTangents(Mesh& mesh, int uvSet);
-
 /// Animated values that replace a node's own; empty: not animated.
 struct GltfNodePose {
   std::vector<double> translation, rotation, scale, weights;
@@ -193,17 +189,26 @@ std::string nodePlace(const GltfFile& file, std::size_t index);
 /// Transforms of EXT_mesh_gpu_instancing; the identity for a node without it.
 std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t node);
 
+/// Distances of a camera's near and far plane; far 0: none.
+struct GltfClip {
+  double near = 0.0, far = 0.0;
+};
+
 /// The nodes of the default scene in world space.
 struct GltfNodes {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
+  std::vector<GltfClip> clips;  ///< of the cameras
 };
 GltfNodes readNodes(const GltfMeshReading& reading, const GltfPose& pose, const std::function<void(double)>& progress);
 
 /// KHR_lights_punctual's light `index`, placed by a node; below, the same for the file's camera `index`.
 Light readLight(GltfFile& file, int index, const glm::dmat4& worldFromNode, const std::string& where);
 Camera readCamera(GltfFile& file, int index, const glm::dmat4& worldFromNode, const std::string& where);
+
+/// Warns if a camera's near or far plane would cut off something that it sees.
+void warnOfClipping(GltfFile& file, const GltfNodes& nodes);
 
 }  // namespace boxprobe

@@ -46,6 +46,10 @@ Model loadModelFile(const std::string& path, const LoadProgress& progress, const
   const GltfMeshReading reading{file, model.materials, variantIndex(file, model.variants, state.variant)};
   const GltfPose pose = state.seconds ? poseAt(file, *state.seconds) : GltfPose();
   GltfNodes nodes = readNodes(reading, pose, report(kMeshesFrom, 1.0));
+  warnOfClipping(file, nodes);
+  if (file.gltf.scenes.size() > 1) {
+    file.warn("has " + std::to_string(file.gltf.scenes.size()) + " scenes, of which the default one is shown");
+  }
   model.meshes = std::move(nodes.meshes);
   model.instances = std::move(nodes.instances);
   model.lights = std::move(nodes.lights);

@@ -1,5 +1,5 @@
-// Chooses a decoder: Radiance HDR goes through radiance_reader.cpp, PNG through png_image.cpp, CMYK JPEG through stb,
-// other JPEG through jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
+// Chooses a decoder: Radiance HDR goes through radiance_reader.cpp, PNG through png_image.cpp, JPEG through
+// jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
 #include "filters/io/image/image_file.h"
 
 #include <stb/stb_image.h>
@@ -85,7 +85,7 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
   const bool png = isPng(bytes, size);
   constexpr long long kPngPixelsAByte = 8 * 1032, kJpegPixelsAByte = 8 * 64;
   checkEncodedSize(name, image.width, image.height, size, png ? kPngPixelsAByte : kJpegPixelsAByte);
-  if (png || isJpeg(bytes, size, channels)) {
+  if (png || isJpeg(bytes, size)) {
     image.pixels.resize(std::size_t(4) * image.width * image.height);
     bool alpha = false;
     const std::string why = png ? decodePng(bytes, size, image.width, image.height, image.pixels.data(), alpha)

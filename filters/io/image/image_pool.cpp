@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 
+#include "filters/core/base/errors.h"
 #include "filters/core/base/helper_threads.h"
 #include "filters/io/image/image_detail.h"
 
@@ -28,8 +29,10 @@ ImageCounts ImagePool::counts() const {
 }
 
 std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vector<EncodedImage>& images,
-                                                                 const std::function<void(double)>& progress) {
+                                                                 const std::function<void(double)>& progress,
+                                                                 std::vector<std::string>& problems) {
   std::vector<std::shared_ptr<const ImageRgba8>> result(images.size());
+  problems.assign(images.size(), {});
   std::vector<std::size_t> missing;
   std::map<Key, std::size_t> first;  // of equal pictures in this call
   std::vector<Key> keys;
@@ -47,7 +50,7 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
     }
   }
 
-  std::vector<std::exception_ptr> problems(images.size());
+  std::vector<std::exception_ptr> failures(images.size());
   std::atomic<std::size_t> next{0}, done{0};
   std::atomic<bool> stopped{false};
   const auto decodeNext = [&] {
@@ -58,8 +61,10 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
       ImageRgba8 picture = decodeImage8(image.data, image.size, image.place);
       picture.name = image.name;
       result[missing[at]] = std::make_shared<const ImageRgba8>(std::move(picture));
+    } catch (const InputError& problem) {
+      problems[missing[at]] = problem.what();
     } catch (...) {
-      problems[missing[at]] = std::current_exception();
+      failures[missing[at]] = std::current_exception();
     }
     ++done;
     return true;
@@ -80,13 +85,15 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
   }
   helpers.join();
   if (cancelled) std::rethrow_exception(cancelled);
-  for (const std::exception_ptr& problem : problems) {
-    if (problem) std::rethrow_exception(problem);
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
   }
 
   const std::lock_guard<std::mutex> lock(mutex_);
   counts_.decoded += missing.size();
-  for (const std::size_t i : missing) known_[keys[i]] = result[i];
+  for (const std::size_t i : missing) {
+    if (result[i]) known_[keys[i]] = result[i];
+  }
   for (std::size_t i = 0; i < images.size(); ++i) {
     if (!result[i]) result[i] = result[first.at(keys[i])];
   }

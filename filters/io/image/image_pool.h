@@ -30,10 +30,11 @@ struct ImageCounts {
 class ImagePool {
  public:
   /// PNG, JPEG or WebP pictures in the requested order, decoded on as many threads as there are cores. `progress` is
-  /// called between pictures, by one thread at a time, with the finished fraction; what it throws ends the work. Throws
-  /// the InputError of the first picture, in order, that cannot be read.
+  /// called between pictures, by one thread at a time, with the finished fraction; what it throws ends the work. A
+  /// picture that cannot be read is null, and its entry of `problems` says why, in one line.
   std::vector<std::shared_ptr<const ImageRgba8>> decode(const std::vector<EncodedImage>& images,
-                                                        const std::function<void(double)>& progress);
+                                                        const std::function<void(double)>& progress,
+                                                        std::vector<std::string>& problems);
   ImageCounts counts() const;
 
  private:

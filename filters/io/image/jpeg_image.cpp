@@ -37,6 +37,18 @@ void limitScans(j_common_ptr common) {
   }
 }
 
+/// Cyan, magenta, yellow, black to RGBA, in place. Ink that lets all light through is 255 if `inverted`, else 0.
+void showInks(unsigned char* texels, std::size_t count, bool inverted) {
+  for (unsigned char* texel = texels; texel < texels + count; texel += 4) {
+    const unsigned black = inverted ? texel[3] : 255u - texel[3];
+    for (int c = 0; c < 3; ++c) {
+      const unsigned ink = inverted ? texel[c] : 255u - texel[c];
+      texel[c] = static_cast<unsigned char>((ink * black + 127u) / 255u);
+    }
+    texel[3] = 255;
+  }
+}
+
 bool read(const unsigned char* bytes, std::size_t size, int width, int height, unsigned char* rgba,
           JpegFailure& failure) {
   jpeg_decompress_struct jpeg;
@@ -53,7 +65,8 @@ bool read(const unsigned char* bytes, std::size_t size, int width, int height, u
   jpeg.progress = &progress;
   jpeg_mem_src(&jpeg, bytes, static_cast<unsigned long>(size));
   jpeg_read_header(&jpeg, TRUE);
-  jpeg.out_color_space = JCS_EXT_RGBA;
+  const bool inks = jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK;
+  jpeg.out_color_space = inks ? JCS_CMYK : JCS_EXT_RGBA;
   jpeg_start_decompress(&jpeg);
   if (jpeg.output_width != static_cast<JDIMENSION>(width) || jpeg.output_height != static_cast<JDIMENSION>(height)) {
     ERREXIT(&jpeg, JERR_BAD_STATE);
@@ -62,6 +75,8 @@ bool read(const unsigned char* bytes, std::size_t size, int width, int height, u
   while (jpeg.output_scanline < jpeg.output_height) {
     JSAMPROW to = rgba + row * jpeg.output_scanline;
     jpeg_read_scanlines(&jpeg, &to, 1);
+    // Adobe's programs, which mark their files, store what the inks let through in place of their amounts.
+    if (inks) showInks(to, row, jpeg.saw_Adobe_marker != 0);
   }
   jpeg_destroy_decompress(&jpeg);  // data after the picture is ignored
   return true;
@@ -69,8 +84,8 @@ bool read(const unsigned char* bytes, std::size_t size, int width, int height, u
 
 }  // namespace
 
-bool isJpeg(const unsigned char* bytes, std::size_t size, int channels) {
-  return size >= 2 && bytes[0] == 0xff && bytes[1] == 0xd8 && (channels == 1 || channels == 3);
+bool isJpeg(const unsigned char* bytes, std::size_t size) {
+  return size >= 2 && bytes[0] == 0xff && bytes[1] == 0xd8;
 }
 
 std::string decodeJpeg(const unsigned char* bytes, std::size_t size, int width, int height, unsigned char* rgba) {

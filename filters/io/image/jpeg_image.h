@@ -6,10 +6,10 @@
 
 namespace boxprobe {
 
-/// Is it greyscale or three-channel? CMYK is not supported here.
-bool isJpeg(const unsigned char* bytes, std::size_t size, int channels);
+bool isJpeg(const unsigned char* bytes, std::size_t size);
 
-/// Decodes into `rgba`, which must have room for the width and height in the header; alpha is 255. Returns an empty
+/// Decodes into `rgba`, which must have room for the width and height in the header; alpha is 255. Grey, RGB, YCbCr,
+/// and CMYK and YCCK, whose inks are taken as ideal filters: red is what cyan and black let through. Returns an empty
 /// text, or the error: a picture that is truncated or has invalid codes counts as damaged.
 std::string decodeJpeg(const unsigned char* bytes, std::size_t size, int width, int height, unsigned char* rgba);
 

@@ -1,5 +1,5 @@
-// Reads any model file into plain arrays: glTF through filters/io, STL and VTP through readers of this folder, OBJ with
-// MTL and PLY through VTK's, which only get validated files. Needs no display.
+// Reads any model file into plain arrays: glTF and OBJ through filters/io, PLY, STL and VTP through readers of this
+// folder. Needs no display.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr std::size_t kMostElements = 256;  // VTK searches all of them for each
+constexpr std::size_t kMostElements = 256, kMostTextures = 64;
 
 std::string inQuotes(std::string_view word) {
   return "\"" + std::string(word) + "\"";
@@ -34,7 +34,7 @@ class HeaderReader {
       if (words_.empty()) fail("the header has an empty line; delete it");
       const std::string_view word = words_[0];
       if (word == "comment" || word == "obj_info") {
-        if (end_ - begin_ > kLongestPlyLine) header_.longComments.emplace_back(begin_, end_);
+        readComment();
         continue;
       }
       checkLine();
@@ -45,9 +45,8 @@ class HeaderReader {
         readElement();
       } else if (word == "property") {
         readProperty();
-      } else {
-        fail(inQuotes(word.substr(0, 40)) + " is not a word of PLY headers; delete the line");
       }
+      // Other lines are taken as comments: Blender 2.4 wrote "Created by ..." without that word.
     }
     checkWhole();
     header_.lines = line_;
@@ -58,7 +57,7 @@ class HeaderReader {
  private:
   [[noreturn]] void fail(const std::string& reason) const { failPly(path_, line_, reason); }
 
-  /// False at the end of the file. Like VTK, ignores a last line without a line end.
+  /// False at the end of the file. Ignores a last line without a line end.
   bool nextLine() {
     ++line_;
     begin_ = next_;
@@ -75,12 +74,13 @@ class HeaderReader {
       fail("the line is longer than " + std::to_string(kLongestPlyLine) + " characters; shorten it");
     }
     if (text.find('\0') != std::string_view::npos) fail("is not text; the file is damaged");
-    // vtkPLY replaces it wherever it is, and drops the rest of the line.
-    const bool name = words_[0] == "property" && isOneOf(words_.back(), {"vertex_index", "vertex_indices"});
-    if (text.find("vertex_index") != std::string_view::npos &&
-        (!name || text.find("vertex_index") < static_cast<std::size_t>(words_.back().data() - text.data()))) {
-      fail("\"vertex_index\" can only be the whole name of a property; rename it");
-    }
+  }
+
+  /// As MeshLab and others name a picture.
+  void readComment() {
+    if (words_.size() < 3 || words_[1] != "TextureFile" || header_.textures.size() == kMostTextures) return;
+    const char* first = words_[2].data();
+    header_.textures.emplace_back(first, words_.back().data() + words_.back().size());
   }
 
   void readFormat() {
@@ -154,13 +154,11 @@ class HeaderReader {
     if (field.name == "vertex_index") field.name = "vertex_indices";
     field.type = typeOf(words_[list ? 3 : 1]);
     if (list) field.countType = typeOf(words_[2]);
-    field.begin = begin_;
-    field.end = end_;
     const bool vertex = header_.elements.back().name == "vertex", face = header_.elements.back().name == "face";
     const bool number =
-        vertex ? isOneOf(field.name, {"x", "y", "z", "u", "v", "texture_u", "texture_v", "nx", "ny", "nz", "red",
-                                      "green", "blue", "alpha", "diffuse_red", "diffuse_green", "diffuse_blue"})
-               : isOneOf(field.name, {"intensity", "red", "green", "blue", "alpha"});
+        vertex ? isOneOf(field.name, {"x", "y", "z", "u", "v", "s", "t", "texture_u", "texture_v", "nx", "ny", "nz",
+                                      "red", "green", "blue", "alpha", "diffuse_red", "diffuse_green", "diffuse_blue"})
+               : isOneOf(field.name, {"texnumber", "red", "green", "blue", "alpha"});
     if ((vertex || face) && number && list)
       fail(inQuotes(field.name) + " is a list where a number is needed; save the file again");
     if (face && !list && isOneOf(field.name, {"vertex_indices", "texcoord"})) {

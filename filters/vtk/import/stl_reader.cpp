@@ -9,6 +9,9 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/read_file.h"
+#include "filters/io/mesh/polygon_mesh.h"
+#include "filters/math/cube/srgb.h"
+#include "filters/vtk/import/mesh_model.h"
 
 namespace boxprobe {
 
@@ -35,12 +38,15 @@ bool isStlWord(std::string_view word, std::string_view wanted) {
   return true;
 }
 
-/// Some binary files also start with "solid": detected by their size.
+/// Some binary files also start with "solid". Their size tells, or a zero byte near the start: text has none, and the
+/// header or the count behind it always has one below 2^24 triangles.
 bool isStlText(const std::string& bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start == std::string::npos || !isStlWord(std::string_view(bytes).substr(start, 5), "solid")) return false;
   if (bytes.find("facet") == std::string::npos && bytes.find("FACET") == std::string::npos) return false;
-  return bytes.size() < kStlHeader || bytes.size() != kStlHeader + kStlTriangle * promisedTriangles(bytes);
+  if (bytes.size() < kStlHeader) return true;
+  if (bytes.size() == kStlHeader + kStlTriangle * promisedTriangles(bytes)) return false;
+  return std::string_view(bytes).substr(0, kStlHeader + kStlTriangle).find('\0') == std::string_view::npos;
 }
 
 class StlProgress {
@@ -59,12 +65,63 @@ class StlProgress {
   std::size_t triangles_ = 0;
 };
 
-void addStlVertex(Mesh& mesh, const glm::vec3& position) {
-  mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+void addStlVertex(Polygons& mesh, const glm::dvec3& position) {
+  mesh.corners.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
   mesh.positions.push_back(position);
+  if (mesh.corners.size() % 3 == 0) mesh.ends.push_back(mesh.corners.size());
 }
 
-void readStlBinary(const std::string& path, const std::string& bytes, StlProgress& progress, Mesh& mesh) {
+/// Five bits each, as sRGB, from the bit of the first component upwards.
+glm::vec4 stlColor(unsigned bits, int red, int green, int blue) {
+  const auto share = [&](int shift) {
+    return static_cast<float>(linearOfSrgbValue(static_cast<double>((bits >> shift) & 31u) / 31.0));
+  };
+  return {share(red), share(green), share(blue), 1.0f};
+}
+
+/// The two bytes behind each triangle. VisCAM and SolidView: the highest bit says that there is a colour, blue has the
+/// lowest bits. Magics: the header holds "COLOR=" and four bytes; the highest bit says that this colour holds, else red
+/// has the lowest bits.
+class StlColors {
+ public:
+  explicit StlColors(const std::string& bytes) {
+    constexpr std::string_view kKey = "COLOR=";
+    const std::string_view header = std::string_view(bytes).substr(0, kStlHeader - 4);
+    const std::size_t at = header.find(kKey);
+    magics_ = at != std::string_view::npos && at + kKey.size() + 4 <= header.size();
+    if (!magics_) return;
+    for (int i = 0; i < 3; ++i) {
+      default_[i] = linearOfSrgb(static_cast<std::uint8_t>(header[at + kKey.size() + static_cast<std::size_t>(i)]));
+    }
+    transparent_ = static_cast<unsigned char>(header[at + kKey.size() + 3]) < 255;
+    colored_ = true;
+  }
+
+  void take(unsigned attribute) {
+    const bool flag = (attribute & 0x8000u) != 0;
+    if (magics_) {
+      colors_.push_back(flag ? default_ : stlColor(attribute, 0, 5, 10));
+    } else {
+      colored_ = colored_ || flag;
+      other_ = other_ || (!flag && attribute != 0);
+      colors_.push_back(flag ? stlColor(attribute, 10, 5, 0) : default_);
+    }
+  }
+
+  void finish(Polygons& mesh, std::vector<std::string>& warnings) {
+    if (transparent_) warnings.emplace_back("has a colour with an alpha, which is drawn opaque");
+    if (other_) warnings.emplace_back("has attribute bytes that are not colours, which are left out");
+    if (colored_) mesh.faceColors = std::move(colors_);
+  }
+
+ private:
+  bool magics_ = false, colored_ = false, other_ = false, transparent_ = false;
+  glm::vec4 default_{0.8f, 0.8f, 0.8f, 1.0f};  ///< as without colours
+  std::vector<glm::vec4> colors_;
+};
+
+void readStlBinary(const std::string& path, const std::string& bytes, StlProgress& progress, Polygons& mesh,
+                   std::vector<std::string>& warnings) {
   if (bytes.size() < kStlHeader) failStl(path, "", "is cut off: a binary STL file has a header of 84 bytes");
   const std::size_t count = promisedTriangles(bytes), held = (bytes.size() - kStlHeader) / kStlTriangle;
   if (count == 0) failStl(path, "", "has no triangles");
@@ -74,13 +131,18 @@ void readStlBinary(const std::string& path, const std::string& bytes, StlProgres
                 "; the file is cut off");
   }
   mesh.positions.reserve(3 * count);
-  mesh.indices.reserve(3 * count);
+  mesh.corners.reserve(3 * count);
+  StlColors colors(bytes);
   for (std::size_t t = 0; t < count; ++t) {
     float numbers[9];  // after the normal
     std::memcpy(numbers, bytes.data() + kStlHeader + kStlTriangle * t + 12, sizeof numbers);
     for (std::size_t k = 0; k < 9; k += 3) addStlVertex(mesh, {numbers[k], numbers[k + 1], numbers[k + 2]});
+    std::uint16_t attribute = 0;
+    std::memcpy(&attribute, bytes.data() + kStlHeader + kStlTriangle * t + 48, sizeof attribute);
+    colors.take(attribute);
     progress.triangle(static_cast<double>(t) / static_cast<double>(count));
   }
+  colors.finish(mesh, warnings);
 }
 
 /// The words of a text with their line numbers. Carriage returns alone also end lines.
@@ -112,25 +174,25 @@ class StlWords {
   std::size_t at_ = 0, line_ = 1;
 };
 
-void readStlText(const std::string& path, const std::string& bytes, StlProgress& progress, Mesh& mesh) {
+void readStlText(const std::string& path, const std::string& bytes, StlProgress& progress, Polygons& mesh) {
   StlWords words(bytes);
   const auto number = [&] {
     std::string_view word = words.next();
     const std::string told(word.substr(0, 40));
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    float value = 0.0f;
+    double value = 0.0;
     const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
     if (result.ec == std::errc::invalid_argument || result.ptr != word.data() + word.size()) {
       failStl(path, words.place(), "\"" + told + "\" is not a number; \"vertex\" has three");
     }
-    return result.ec == std::errc() ? value : 0.0f;  // underflow, or overflow, which no real model has
+    return result.ec == std::errc() ? value : 0.0;  // underflow, or overflow, which no real model has
   };
   std::size_t corners = 0;
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     if (isStlWord(word, "solid") || isStlWord(word, "endsolid")) {
       words.skipLine();  // the name
     } else if (isStlWord(word, "vertex")) {
-      const float x = number(), y = number(), z = number();
+      const double x = number(), y = number(), z = number();
       addStlVertex(mesh, {x, y, z});
       ++corners;
     } else if (isStlWord(word, "endloop")) {
@@ -150,16 +212,18 @@ void readStlText(const std::string& path, const std::string& bytes, StlProgress&
 
 }  // namespace
 
-Mesh readStlMesh(const std::string& path, const LoadProgress& progress) {
+Model readStl(const std::string& path, const LoadProgress& progress) {
   const std::string bytes = readWholeFile(path);
   StlProgress reported(path, progress);
-  Mesh mesh;
+  Polygons mesh;
+  MeshModel made(path);
   if (isStlText(bytes)) {
     readStlText(path, bytes, reported, mesh);
   } else {
-    readStlBinary(path, bytes, reported, mesh);
+    readStlBinary(path, bytes, reported, mesh, made.model().warnings);
   }
-  return mesh;
+  made.add(mesh, 1, false);
+  return made.take();
 }
 
 }  // namespace boxprobe

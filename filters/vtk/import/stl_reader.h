@@ -1,5 +1,6 @@
-// Reads STL files, binary and text. VTK 9.1's reader allocates the memory that a header claims, and mistakes text for
-// binary data. Source: the StereoLithography Interface Specification (3D Systems, 1988).
+// Reads STL files, binary and text, with the colours that programs put into the binary form. VTK 9.1's reader allocates
+// the memory that a header claims, and mistakes text for binary data. Source: the StereoLithography Interface
+// Specification (3D Systems, 1988).
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace boxprobe {
 
-/// Triangles without normals; those in files are often wrong. Throws InputError with the line or triangle. Memory is at
-/// most a few times the file's size, time is linear in it.
-Mesh readStlMesh(const std::string& path, const LoadProgress& progress = {});
+/// Triangles with computed normals; those in files are often wrong. Throws InputError with the line or triangle. Memory
+/// is at most a few times the file's size, time is linear in it.
+Model readStl(const std::string& path, const LoadProgress& progress = {});
 
 }  // namespace boxprobe

@@ -110,6 +110,8 @@ class VtpXml {
       if (file_.pieces.size() == kMostPieces) throw InputError("has more than 1000 pieces; save it as one");
       VtpPiece piece;
       piece.points = count(attributes, "NumberOfPoints", 0, most);
+      piece.verts = count(attributes, "NumberOfVerts", 0, most);
+      piece.lines = count(attributes, "NumberOfLines", 0, most);
       piece.polys = count(attributes, "NumberOfPolys", 0, most);
       piece.strips = count(attributes, "NumberOfStrips", 0, most);
       file_.pieces.push_back(std::move(piece));

@@ -20,7 +20,7 @@ struct VtpArray {
 };
 
 struct VtpPiece {
-  std::size_t points = 0, polys = 0, strips = 0;
+  std::size_t points = 0, verts = 0, lines = 0, polys = 0, strips = 0;
   std::string normals, uv;  ///< names of arrays of PointData
   std::vector<VtpArray> arrays;
 

@@ -1,66 +1,87 @@
 #include "filters/vtk/import/vtp_reader.h"
 
-#include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
-
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include "filters/core/base/errors.h"
-#include "filters/vtk/import/polydata_mesh.h"
+#include "filters/core/base/printable_text.h"
+#include "filters/io/mesh/polygon_mesh.h"
+#include "filters/io/mesh/polygon_triangles.h"
+#include "filters/math/cube/srgb.h"
+#include "filters/vtk/import/mesh_model.h"
 #include "filters/vtk/import/vtp_file.h"
 
 namespace boxprobe {
 
 namespace {
 
-/// Ear clipping takes at least quadratic time in the number of corners.
-constexpr double kMostVtpCorners = 4096;
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Bytes of three or four components are colours, as VTK draws them; so are other numbers of that name.
+bool isColorArray(const VtpArray& array) {
+  if (array.components < 3 || array.components > 4) return false;
+  if (array.type == "UInt8") return true;
+  const std::string name = lower(array.name);
+  for (const char* known : {"rgb", "rgba", "color", "colors", "colour", "colours"}) {
+    if (name == known) return true;
+  }
+  return false;
+}
 
 class VtpPieces {
  public:
-  VtpPieces(const std::string& path, const VtpFile& file) : path_(path), file_(file) {
-    data_->SetPoints(points_);
-    data_->SetPolys(polys_);
-    data_->SetStrips(strips_);
-    points_->SetDataTypeToDouble();
-    normals_->SetNumberOfComponents(3);
-    uv_->SetNumberOfComponents(2);
-    colors_->SetNumberOfComponents(4);
-  }
+  VtpPieces(const std::string& path, const VtpFile& file) : path_(path), file_(file) {}
 
   void add(const VtpPiece& piece) {
+    if (piece.verts > 0) leftOut_.insert("points");
+    if (piece.lines > 0) leftOut_.insert("lines");
     if (piece.points == 0) return;
     const VtpArray* points = piece.find("Points", {});
     if (points == nullptr || points->components != 3) failVtp(path_, "has no points of three components");
-    const std::vector<double> positions = values(*points, 3 * piece.points);
-    const vtkIdType first = points_->GetNumberOfPoints();
-    for (std::size_t i = 0; i < positions.size(); i += 3) points_->InsertNextPoint(&positions[i]);
-    addCells(piece, "Polys", piece.polys, first, polys_);
-    addCells(piece, "Strips", piece.strips, first, strips_);
+    const std::vector<double> numbers = values(*points, 3 * piece.points);
+    const std::size_t first = polygons_.positions.size(), firstPolygon = polygons_.ends.size();
+    for (std::size_t i = 0; i < numbers.size(); i += 3) {
+      polygons_.positions.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    }
+    addPolygons(piece, first);
+    const std::size_t firstStrip = polygons_.ends.size();
+    std::vector<std::size_t> stripOf;
+    addStrips(piece, first, stripOf);
     addAttributes(piece);
+    addCellColors(piece, firstPolygon, firstStrip, stripOf);
   }
 
   /// Drops attributes that not all pieces have.
-  vtkPolyData* whole() {
-    const vtkIdType count = points_->GetNumberOfPoints();
-    if (normals_->GetNumberOfTuples() == count) data_->GetPointData()->SetNormals(normals_);
-    if (uv_->GetNumberOfTuples() == count) data_->GetPointData()->SetTCoords(uv_);
-    if (colors_->GetNumberOfTuples() == count) data_->GetPointData()->AddArray(colors_);
-    return data_;
+  Polygons whole() {
+    const auto keep = [&](auto& values, std::size_t count, const char* what) {
+      if (values.size() == count) return;
+      if (!values.empty()) leftOut_.insert(std::string(what) + " of some pieces");
+      values.clear();
+    };
+    keep(polygons_.normals, polygons_.positions.size(), "normals");
+    keep(polygons_.uvs, polygons_.positions.size(), "texture coordinates");
+    keep(polygons_.colors, polygons_.positions.size(), "colours");
+    keep(polygons_.faceColors, polygons_.ends.size(), "cell colours");
+    return std::move(polygons_);
   }
+
+  const std::set<std::string>& leftOut() const { return leftOut_; }
+  bool transparent() const { return transparent_; }
 
  private:
   std::vector<double> values(const VtpArray& array, std::size_t wanted) const {
     return vtpValues(file_, array, wanted, path_);
   }
 
-  void addCells(const VtpPiece& piece, const std::string& section, std::size_t count, vtkIdType first,
-                vtkCellArray* cells) const {
+  /// Calls `take` with each cell's corners.
+  template <typename Take>
+  void forCells(const VtpPiece& piece, const std::string& section, std::size_t count, std::size_t first,
+                Take take) const {
     if (count == 0) return;
     const VtpArray *ends = piece.find(section, "offsets"), *corners = piece.find(section, "connectivity");
     if (ends == nullptr || corners == nullptr) failVtp(path_, section + " have no offsets or no connectivity");
@@ -71,65 +92,133 @@ class VtpPieces {
       if (!(size >= 0.0 && size == std::floor(size) && offsets[i] <= 1e9)) {  // also false for NaN
         failVtp(path_, section + ": offset " + std::to_string(i) + " is before the one before it; the file is damaged");
       }
-      if (size > kMostVtpCorners && section == "Polys") {
+      if (size > static_cast<double>(kMostPolygonCorners) && section == "Polys") {
         failVtp(path_, "polygon " + std::to_string(i) + " has more than 4096 corners; split it");
       }
       before = offsets[i];
     }
     const std::vector<double> indices = values(*corners, static_cast<std::size_t>(before));
+    std::vector<std::uint32_t> cell;
     std::size_t at = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      const auto end = static_cast<std::size_t>(offsets[i]);
-      cells->InsertNextCell(static_cast<int>(end - at));
-      for (; at < end; ++at) cells->InsertCellPoint(first + corner(indices[at], i, piece.points));
+      cell.clear();
+      for (const auto end = static_cast<std::size_t>(offsets[i]); at < end; ++at) {
+        cell.push_back(static_cast<std::uint32_t>(first + corner(indices[at], i, piece.points)));
+      }
+      take(i, cell);
     }
   }
 
-  vtkIdType corner(double index, std::size_t polygon, std::size_t points) const {
-    if (index >= 0.0 && index < static_cast<double>(points)) return static_cast<vtkIdType>(index);
+  std::size_t corner(double index, std::size_t polygon, std::size_t points) const {
+    if (index >= 0.0 && index < static_cast<double>(points)) return static_cast<std::size_t>(index);
     throw InputError(path_ + ": polygon " + std::to_string(polygon) + " has corner " +
                      std::to_string(static_cast<long long>(std::fmax(std::fmin(index, 1e18), -1e18))) +
                      ", but there are " + std::to_string(points) + " points; the file is damaged");
   }
 
+  void addPolygons(const VtpPiece& piece, std::size_t first) {
+    forCells(piece, "Polys", piece.polys, first, [&](std::size_t, const std::vector<std::uint32_t>& cell) {
+      polygons_.corners.insert(polygons_.corners.end(), cell.begin(), cell.end());
+      polygons_.ends.push_back(polygons_.corners.size());
+    });
+  }
+
+  /// Each corner forms a triangle with the two before it, with alternating winding.
+  void addStrips(const VtpPiece& piece, std::size_t first, std::vector<std::size_t>& stripOf) {
+    forCells(piece, "Strips", piece.strips, first, [&](std::size_t strip, const std::vector<std::uint32_t>& cell) {
+      for (std::size_t i = 0; i + 2 < cell.size(); ++i) {
+        const std::size_t odd = i % 2;
+        polygons_.corners.insert(polygons_.corners.end(), {cell[i], cell[i + 1 + odd], cell[i + 2 - odd]});
+        polygons_.ends.push_back(polygons_.corners.size());
+        stripOf.push_back(strip);
+      }
+    });
+  }
+
   void addAttributes(const VtpPiece& piece) {
+    bool colored = false;
     for (const VtpArray& array : piece.arrays) {
       if (array.section != "PointData") continue;
       const std::size_t n = array.components;
-      if (array.name == piece.normals && n == 3) append(normals_, array, piece.points);
-      if (array.name == piece.uv && n >= 2) append(uv_, array, piece.points);
-    }
-    for (const VtpArray& array : piece.arrays) {
-      if (array.section != "PointData" || array.type != "UInt8" || array.components < 3 || array.components > 4)
-        continue;
-      append(colors_, array, piece.points);
-      return;
+      const std::string name = lower(array.name);
+      if ((array.name == piece.normals || (piece.normals.empty() && name == "normals")) && n == 3) {
+        const std::vector<double> numbers = values(array, n * piece.points);
+        for (std::size_t i = 0; i < numbers.size(); i += 3) {
+          polygons_.normals.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+        }
+      } else if ((array.name == piece.uv ||
+                  (piece.uv.empty() && (name == "tcoords" || name == "texturecoordinates"))) &&
+                 n >= 2) {
+        const std::vector<double> numbers = values(array, n * piece.points);
+        for (std::size_t i = 0; i < piece.points; ++i) polygons_.uvs.emplace_back(numbers[n * i], numbers[n * i + 1]);
+      } else if (!colored && isColorArray(array)) {
+        const std::vector<glm::vec4> colors = colorsOf(array, piece.points);
+        polygons_.colors.insert(polygons_.colors.end(), colors.begin(), colors.end());
+        colored = true;
+      } else {
+        leftOut_.insert("point array " + printable(array.name.substr(0, 60)));
+      }
     }
   }
 
-  /// With the target's number of components; a missing alpha is opaque.
-  void append(vtkDataArray* target, const VtpArray& array, std::size_t points) const {
-    const std::size_t n = array.components;
-    const std::vector<double> numbers = values(array, n * points);
-    std::vector<double> tuple(static_cast<std::size_t>(target->GetNumberOfComponents()), 255.0);
-    for (std::size_t i = 0; i < points; ++i) {
-      for (std::size_t c = 0; c < std::min(n, tuple.size()); ++c) tuple[c] = numbers[n * i + c];
-      target->InsertNextTuple(tuple.data());
+  /// Cell data count points and lines first, then polygons, then strips.
+  void addCellColors(const VtpPiece& piece, std::size_t firstPolygon, std::size_t firstStrip,
+                     const std::vector<std::size_t>& stripOf) {
+    bool colored = false;
+    for (const VtpArray& array : piece.arrays) {
+      if (array.section != "CellData") continue;
+      if (colored || !isColorArray(array)) {
+        leftOut_.insert("cell array " + printable(array.name.substr(0, 60)));
+        continue;
+      }
+      colored = true;
+      const std::size_t before = piece.verts + piece.lines;
+      const std::vector<glm::vec4> colors = colorsOf(array, before + piece.polys + piece.strips);
+      polygons_.faceColors.resize(firstPolygon, glm::vec4(1.0f));
+      for (std::size_t p = firstPolygon; p < firstStrip; ++p) {
+        polygons_.faceColors.push_back(colors[before + p - firstPolygon]);
+      }
+      for (const std::size_t strip : stripOf) polygons_.faceColors.push_back(colors[before + piece.polys + strip]);
     }
+  }
+
+  /// From sRGB: bytes, shares of 1, or, if any is above 1, of 255.
+  std::vector<glm::vec4> colorsOf(const VtpArray& array, std::size_t count) {
+    const std::size_t n = array.components;
+    const std::vector<double> numbers = values(array, n * count);
+    const bool bytes =
+        array.type == "UInt8" || std::any_of(numbers.begin(), numbers.end(), [](double v) { return v > 1.0; });
+    const auto share = [&](double value) { return value >= 0.0 ? std::min(value / (bytes ? 255.0 : 1.0), 1.0) : 0.0; };
+    std::vector<glm::vec4> colors;
+    bool visible = n == 3;
+    for (std::size_t i = 0; i < count; ++i) {
+      glm::vec4 color(1.0f);
+      for (std::size_t c = 0; c < n; ++c) {
+        const double value = share(numbers[n * i + c]);
+        color[static_cast<int>(c)] = static_cast<float>(c < 3 ? linearOfSrgbValue(value) : value);
+      }
+      visible = visible || color.a > 0.0f;
+      colors.push_back(color);
+    }
+    if (!visible && count > 0) {
+      leftOut_.insert("an alpha of 0 everywhere");
+      for (glm::vec4& color : colors) color.a = 1.0f;
+    }
+    transparent_ =
+        transparent_ || std::any_of(colors.begin(), colors.end(), [](auto& color) { return color.a < 1.0f; });
+    return colors;
   }
 
   const std::string& path_;
   const VtpFile& file_;
-  vtkNew<vtkPolyData> data_;
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkCellArray> polys_, strips_;
-  vtkNew<vtkDoubleArray> normals_, uv_;
-  vtkNew<vtkUnsignedCharArray> colors_;
+  Polygons polygons_;
+  std::set<std::string> leftOut_;
+  bool transparent_ = false;
 };
 
 }  // namespace
 
-Mesh readVtpMesh(const std::string& path, const LoadProgress& progress) {
+Model readVtp(const std::string& path, const LoadProgress& progress) {
   const auto goOn = [&](double done) {
     if (progress && !progress(done)) throw LoadCancelled(path + ": loading was cancelled");
   };
@@ -140,7 +229,15 @@ Mesh readVtpMesh(const std::string& path, const LoadProgress& progress) {
     pieces.add(file.pieces[i]);
     goOn(0.2 + 0.6 * static_cast<double>(i + 1) / static_cast<double>(file.pieces.size()));
   }
-  return meshFromPolyData(pieces.whole(), path);
+  MeshModel made(path);
+  const Polygons polygons = pieces.whole();
+  if (!pieces.leftOut().empty()) {
+    std::string text;
+    for (const std::string& what : pieces.leftOut()) text += (text.empty() ? "" : ", ") + what;
+    made.model().warnings.push_back(leftOutWarning("has data that is not drawn: ", text));
+  }
+  made.add(polygons, 1, pieces.transparent());
+  return made.take();
 }
 
 }  // namespace boxprobe

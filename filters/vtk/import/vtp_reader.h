@@ -9,8 +9,8 @@
 
 namespace boxprobe {
 
-/// Polygons and strips of all pieces, with normals, texture coordinates and point colours. Throws InputError with the
-/// array.
-Mesh readVtpMesh(const std::string& path, const LoadProgress& progress = {});
+/// Polygons and strips of all pieces, with normals, texture coordinates and colours of points and cells; other arrays
+/// are named in the model's warnings. Throws InputError with the array.
+Model readVtp(const std::string& path, const LoadProgress& progress = {});
 
 }  // namespace boxprobe

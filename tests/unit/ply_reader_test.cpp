@@ -1,5 +1,5 @@
-// PLY files that VTK's reader would crash on, misread or print about: each is refused in one line or read right.
-#include "filters/vtk/import/ply_guard.h"
+// PLY files as people have them, and damaged ones: each is read right or refused in one line.
+#include "filters/vtk/import/ply_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ std::string raw(std::initializer_list<T> values, bool bigEndian = false) {
   return bytes;
 }
 
-class PlyGuard : public TemporaryFolder {
+class PlyReader : public TemporaryFolder {
  protected:
   /// The whole message behind the folder, and nothing on the terminal.
   void expectRefused(const std::string& bytes, const std::string& message) const {
@@ -64,7 +64,7 @@ class PlyGuard : public TemporaryFolder {
   }
 };
 
-TEST_F(PlyGuard, HeadersAreReadStrictly) {
+TEST_F(PlyReader, HeadersAreReadStrictly) {
   const std::string face = "3 0 1 2\n";
   expectRefused(replaced(kHeader, "float z", "wrong z") + kPoints + face,
                 ":6: \"wrong\" is not a type; write char, uchar, short, ushort, int, uint, float or double");
@@ -88,8 +88,6 @@ TEST_F(PlyGuard, HeadersAreReadStrictly) {
   expectRefused(replaced(kHeader, "vertex_indices", "corners") + kPoints + face,
                 ":7: \"face\" has no list of corners; name it \"vertex_indices\", as in \"property list uchar int "
                 "vertex_indices\"");
-  expectRefused(replaced(kHeader, "vertex_indices", "vertex_index_list") + kPoints + face,
-                ":8: \"vertex_index\" can only be the whole name of a property; rename it");
   expectRefused(replaced(kHeader, "property float z\n", "") + kPoints + face,
                 ":3: \"vertex\" has no property \"z\"; save the file again");
   expectRefused(replaced(kHeader, "element vertex", "property float q\nelement vertex") + kPoints + face,
@@ -98,10 +96,6 @@ TEST_F(PlyGuard, HeadersAreReadStrictly) {
                 ":7: element \"vertex\" stands in line 3 already; join the two");
   expectRefused(kText + kVertex + "element edge 0\n" + kFace + kEnd + kPoints + face,
                 ":7: element \"edge\" has no properties; delete it");
-  expectRefused(kText + kFace + kVertex + kEnd + face + kPoints,
-                ":3: \"face\" stands before \"vertex\"; put the vertices first");
-  expectRefused(kText + kVertex + "element edge 1\nproperty int a\n" + kFace + kEnd + kPoints + "1\n" + face,
-                ":7: element \"edge\" stands before \"face\"; put it behind or delete it");
   expectRefused(kText + kFace + kEnd + face, ":5: has no element \"vertex\"; save the file again");
   expectRefused(replaced(kHeader, "vertex 3", "vertex 3x") + kPoints + face,
                 ":3: \"3x\" is not a count of \"vertex\"; write a whole number");
@@ -111,7 +105,7 @@ TEST_F(PlyGuard, HeadersAreReadStrictly) {
                 ":6: the line is longer than 4080 characters; shorten it");
 }
 
-TEST_F(PlyGuard, TextBodiesHaveTheirWords) {
+TEST_F(PlyReader, TextBodiesHaveTheirWords) {
   expectRefused(kHeader + "\n" + kPoints + "3 0 1 2\n", ":10: the line is empty; delete it");
   expectRefused(kHeader + "0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
                 ":10: the line has 2 words, too few for \"z\"; complete the line");
@@ -126,19 +120,17 @@ TEST_F(PlyGuard, TextBodiesHaveTheirWords) {
   expectRefused(kHeader + kPoints + "-3 0 1 2\n", ":13: a list of -3 entries is not possible; the file is damaged");
   expectRefused(kHeader + kPoints + "1e1 0 1 2 0 1 2 0 1 2 0\n",
                 ":13: \"1e1\" is not a whole number (\"vertex_indices\"); correct it");
-  expectRefused(kHeader + kPoints + "3 0 1" + std::string(9000, ' ') + "2\n",
-                ":13: the line is longer than 4080 characters; save the file as binary PLY");
   for (const char* corner : {"3", "-1"}) {
     expectRefused(
         kHeader + kPoints + "3 0 1 " + corner + "\n",
         std::string(":13: corner ") + corner + " is not among the 3 vertices, which count from 0; the file is damaged");
   }
-  std::string many = "256";
-  for (int i = 0; i < 256; ++i) many += " " + std::to_string(i % 3);
-  expectRefused(kHeader + kPoints + many + "\n", ":13: the polygon has 256 corners; split it, 255 are possible");
+  std::string many = "4097";
+  for (int i = 0; i < 4097; ++i) many += " " + std::to_string(i % 3);
+  expectRefused(kHeader + kPoints + many + "\n", ":13: the polygon has 4097 corners; split it, 4096 are possible");
 }
 
-TEST_F(PlyGuard, BinaryBodiesAreAsLongAsTheyPromise) {
+TEST_F(PlyReader, BinaryBodiesAreAsLongAsTheyPromise) {
   const std::string header = replaced(replaced(kHeader, "ascii", "binary_little_endian"), "uchar int", "int int");
   const std::string points = raw<float>({0, 0, 0, 1, 0, 0, 0, 1, 0});
   expectTriangle(header + points + raw({3, 0, 1, 2}));
@@ -157,16 +149,19 @@ TEST_F(PlyGuard, BinaryBodiesAreAsLongAsTheyPromise) {
   expectTriangle(big + raw<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, true) + raw({3, 0, 1, 2}, true));
 }
 
-TEST_F(PlyGuard, LegalFilesAreRead) {
+TEST_F(PlyReader, LegalFilesAreRead) {
   std::string lines = kHeader + kPoints + "3 0 1 2\n", crlf;
   for (const char c : lines) crlf += c == '\n' ? "\r\n" : std::string(1, c);
   expectTriangle(crlf);
-  expectTriangle(lines.substr(0, lines.size() - 1));  // VTK alone does not see the last line
+  expectTriangle(lines.substr(0, lines.size() - 1));
+  expectTriangle(kHeader + kPoints + "3 0 1" + std::string(9000, ' ') + "2\n");
+  expectTriangle(kText + kFace + kVertex + kEnd + "3 0 1 2\n" + kPoints);
+  expectTriangle(kText + kVertex + "element edge 1\nproperty int a\n" + kFace + kEnd + kPoints + "1\n3 0 1 2\n");
   expectTriangle(replaced(lines, "element vertex", "comment " + std::string(9000, 'a') + "\nelement vertex"));
   expectTriangle(replaced(lines, "float x", "float32 x"));
   expectTriangle(replaced(lines, "list uchar int vertex_indices", "list uint8 uint16 vertex_index"));
   expectTriangle(replaced(lines, kEnd, "element edge 2\nproperty list uchar int any\n" + kEnd));
-  // Lists that VTK does not read, before and behind what it does.
+  // Lists before and behind the corners.
   const std::string lists =
       "element face 1\nproperty list uchar int q\nproperty list uchar int vertex_indices\n"
       "property uchar red\nproperty list uchar float texcoord\n";
@@ -181,45 +176,10 @@ TEST_F(PlyGuard, LegalFilesAreRead) {
   EXPECT_EQ(colored.meshes[0].uv.at(0), glm::vec2(0.25f, 0.5f));
 }
 
-// VTK 9.1 recurses without end over 128 texture coordinates outside 0..1, and swaps points that share coordinates.
-// VTK from 9.6 on reads "property float x" as a line of its own, and crashes for want of an element.
-TEST_F(PlyGuard, AReturnWithinALineEndsNone) {
+TEST_F(PlyReader, AReturnWithinALineEndsNone) {
   const std::string bytes = kText + "comment one\rproperty float x\n" + kVertex + kFace + kEnd + kPoints + "3 0\r1 2\n";
   expectTriangle(bytes);
-  const std::optional<std::string> text = checkPly(file("m.ply")).text;
-  ASSERT_TRUE(text);
-  EXPECT_EQ(text->find('\r'), std::string::npos);
-  EXPECT_EQ(text->size(), bytes.size());
   expectTriangle(replaced(bytes, "comment one\r", "comment one\r\n comment "));
-}
-
-TEST_F(PlyGuard, TextureCoordinatesOfFacesDoNotReachVtk) {
-  constexpr int kFaces = 300;
-  const std::string faces =
-      "element face 300\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n" + kEnd;
-  std::string text = kText + kVertex + faces + kPoints;
-  std::string binary =
-      replaced(kText, "ascii", "binary_little_endian") + kVertex + faces + raw<float>({0, 0, 0, 1, 0, 0, 0, 1, 0});
-  for (int i = 0; i < kFaces; ++i) {
-    const auto at = static_cast<float>(i + 2);
-    text += "3 0 1 2 6 " + std::to_string(i + 2) + " 2 3 3 4 4\n";
-    binary += "\3" + raw({0, 1, 2}) + "\6" + raw<float>({at, 2, 3, 3, 4, 4});
-  }
-  for (const std::string& bytes : {text, binary}) {
-    const Model model = expectTriangles(bytes, kFaces);
-    for (const Mesh& mesh : model.meshes) {
-      for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        ASSERT_EQ(mesh.positions[mesh.indices[i]], glm::vec3(0));
-        ASSERT_EQ(mesh.positions[mesh.indices[i + 1]], glm::vec3(1, 0, 0));
-        ASSERT_EQ(mesh.positions[mesh.indices[i + 2]], glm::vec3(0, 1, 0));
-      }
-    }
-  }
-}
-
-TEST_F(PlyGuard, VtkReadsTheFileItselfWhereItCan) {
-  EXPECT_FALSE(checkPly(write("m.ply", kHeader + kPoints + "3 0 1 2\n")).text.has_value());
-  EXPECT_TRUE(checkPly(write("m.ply", kHeader + kPoints + "3 0 1 2")).text.has_value());
 }
 
 }  // namespace

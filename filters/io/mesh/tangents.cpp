@@ -1,15 +1,15 @@
-// Tangents for files that have a normal map but no tangents, for which glTF 2.0 (section 3.7.2.1) requires
-// MikkTSpace's. This follows its rules: the gradient of u in each triangle, made perpendicular to the corner's normal,
-// summed over the corners that share position, normal, coordinates and handedness, weighted by the corner's angle. It
-// does not merge seams by connectivity: corners are shared wherever their values are equal.
+// For files that have a normal map but no tangents glTF 2.0 (section 3.7.2.1) requires MikkTSpace's tangents. This
+// follows its rules: the gradient of u in each triangle, made perpendicular to the corner's normal, summed over the
+// corners that share position, normal, coordinates and handedness, weighted by the corner's angle. It does not merge
+// seams by connectivity: corners are shared wherever their values are equal.
+#include "filters/io/mesh/tangents.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
-
-#include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
 
@@ -39,6 +39,14 @@ void append(std::vector<Value>& values, std::uint32_t vertex) {
 }
 
 }  // namespace
+
+int tangentSet(const Mesh& mesh, const Material& material) {
+  const TextureUse& direction = material.finish.anisotropyTexture;
+  for (const TextureUse* use : {&material.normalTexture, &material.coatNormalTexture, &direction}) {
+    if (use->image && !(use->uvSet == 1 ? mesh.uv1 : mesh.uv).empty()) return use->uvSet;
+  }
+  return material.finish.isAnisotropic() && !mesh.uv.empty() ? 0 : -1;
+}
 
 void addTangents(Mesh& mesh, int uvSet) {
   const std::vector<glm::vec2> uv = uvSet == 1 ? mesh.uv1 : mesh.uv;

@@ -1,4 +1,4 @@
-#include "filters/vtk/import/smooth_normals.h"
+#include "filters/io/mesh/smooth_normals.h"
 
 #include <algorithm>
 #include <array>
