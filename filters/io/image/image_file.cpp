@@ -1,5 +1,5 @@
 // Chooses a decoder: Radiance HDR goes through radiance_reader.cpp, PNG through png_image.cpp, JPEG through
-// jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
+// jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp, what else there is (BMP, TGA) through stb.
 #include "filters/io/image/image_file.h"
 
 #include <stb/stb_image.h>
