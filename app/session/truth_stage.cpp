@@ -10,9 +10,9 @@
 namespace boxprobe {
 
 TruthStage::TruthStage(const TruthIndex& index, const std::string& scene, OffscreenScene& shown,
-                       ReferenceProgress progress)
+                       ReferenceProgress progress, const std::vector<std::string>& assignments)
     : index_(index),
-      loaded_(loadScene(index.scenePath(scene))),
+      loaded_(loadScene(index.scenePath(scene), assignments)),
       sky_(loadSkyImage(loaded_.scene)),
       shown_(shown),
       progress_(std::move(progress)) {}

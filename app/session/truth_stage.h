@@ -21,8 +21,10 @@ class TruthStage {
   struct Stopped {};
 
   /// `index` and `shown` must outlive this. `progress` is asked whether to go on; once it said no, rows throw Stopped.
-  /// Throws as loadScene() does.
-  TruthStage(const TruthIndex& index, const std::string& scene, OffscreenScene& shown, ReferenceProgress progress = {});
+  /// `assignments`: as loadScene() takes them, of how the scene is drawn, not of what is in it. Throws as loadScene()
+  /// does.
+  TruthStage(const TruthIndex& index, const std::string& scene, OffscreenScene& shown, ReferenceProgress progress = {},
+             const std::vector<std::string>& assignments = {});
 
   /// Of the picture and of all those after it.
   void setFloor(const TruthPicture& picture);

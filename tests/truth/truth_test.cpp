@@ -131,6 +131,40 @@ TEST(Truth, ReferencesHoldToCycles) {
   }
 }
 
+// Lamps drawn by their shapes, the rest of the room by footprints: nearer than footprints of lamps in the map.
+TEST(Truth, FootprintsBesideLampsAsShapes) {
+  OffscreenScene shown({"truth_test", kTruthFineness * truth().width, kTruthFineness * truth().height, 1, true});
+  const auto errors = [&shown](const char* lamps) {
+    TruthStage stage(truth(), "empty", shown, {}, {std::string("lamps=") + lamps});
+    std::vector<TruthRow> rows;
+    for (const double roughness : {0.25, 0.5, 1.0}) {
+      for (const TruthPicture& picture : truth().pictures) {
+        const bool floor = picture.kind == "metal" || picture.kind == "dielectric";
+        const bool chosen = picture.scene == "empty" && (picture.camera == "low" || picture.camera == "middle");
+        if (picture.whole || !chosen || !floor || picture.roughness != roughness) continue;
+        stage.setFloor(picture);
+        rows.push_back(stage.techniqueRow(picture, chooseBenchTechniques("footprint8").front()));
+      }
+    }
+    std::sort(rows.begin(), rows.end(), [](const TruthRow& a, const TruthRow& b) {
+      return std::tie(a.kind, a.camera, a.roughness) < std::tie(b.kind, b.camera, b.roughness);
+    });
+    return rows;
+  };
+  const std::vector<TruthRow> shapes = errors("shapes"), inMap = errors("in-map");
+  ASSERT_EQ(shapes.size(), 12u);
+  ASSERT_EQ(inMap.size(), 12u);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const TruthRow& row = shapes[i];
+    std::printf("  %-10s %-6s roughness %.2f: light %.3f, RMSE %.3f; lamps in the map %.3f, %.3f\n", row.kind.c_str(),
+                row.camera.c_str(), row.roughness, row.meanLight, row.relativeRmse, inMap[i].meanLight,
+                inMap[i].relativeRmse);
+    EXPECT_LE(row.relativeRmse, 0.07) << row.kind << ", " << row.camera << ", " << row.roughness;
+    EXPECT_NEAR(row.meanLight, 1.0, 0.02) << row.kind << ", " << row.camera << ", " << row.roughness;
+    EXPECT_LT(row.relativeRmse, inMap[i].relativeRmse) << row.kind << ", " << row.camera << ", " << row.roughness;
+  }
+}
+
 TEST(Truth, AMissingFileSaysHowToMakeIt) {
   const auto message = [](const auto& action) -> std::string {
     try {
