@@ -45,6 +45,31 @@ struct TracedNode {
   bool known = true;  // false: within something
 };
 
+// A capture with the sky in it, premultiplied by its coverage instead: coarse texels would have the sky between beams
+// in the light of the beams, and a ray that meets one has been weighed against the sky before.
+CubeMap withoutSky(const CubeMap& means, const LatticeSurroundings& in) {
+  const int size = means.faceSize();
+  CubeMap surfaces(size, 1);
+  const glm::mat3 worldFromMap(in.worldFromProbe * glm::transpose(in.mapFromProbe));
+  for (int face = 0; face < 6; ++face) {
+    for (int i = 0; i < size * size; ++i) {
+      const int row = i / size, column = i % size;
+      const glm::vec4 seen = means.texel(0, face, column, row);
+      const float cover = std::clamp(seen.w, 0.0f, 1.0f);
+      glm::vec3 light(seen);
+      if (cover < 1.0f) {
+        const glm::vec3 direction =
+            shading::cubeDirection(face, 2.0f * (static_cast<float>(column) + 0.5f) / static_cast<float>(size) - 1.0f,
+                                   2.0f * (static_cast<float>(row) + 0.5f) / static_cast<float>(size) - 1.0f);
+        light -= (1.0f - cover) * glm::vec3(in.sky->fetch(worldFromMap * direction, 0.0f));
+      }
+      light = cover > 0.0f ? glm::max(light, glm::vec3(0.0f)) : glm::vec3(0.0f);
+      surfaces.setTexel(0, face, column, row, glm::vec4(light, cover));
+    }
+  }
+  return plainMeans(surfaces);
+}
+
 class NodeTracer {
  public:
   NodeTracer(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in, int rays)
@@ -118,7 +143,7 @@ class NodeTracer {
   // What a surface shows there; nothing where hardly any is to be seen in that texel.
   std::optional<glm::vec3> ofCovered(const glm::dvec3& directionWorld, double texels) const {
     const glm::vec4 seen = ofMap(directionWorld, texels);
-    if (!in_.open) return glm::vec3(seen);
+    if (!in_.open && !in_.sky) return glm::vec3(seen);
     if (seen.w < kLeastCover) return std::nullopt;
     return glm::vec3(seen) / std::min(seen.w, 1.0f);
   }
@@ -378,7 +403,8 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
                              int rays) {
   DiffuseLattice lattice = base;
   if (base.empty() || means.empty() || !in.lines || in.lines->empty()) return lattice;
-  const NodeTracer tracer(base, means, in, std::max(rays, 1));
+  const CubeMap surfaces = in.sky && !in.open ? withoutSky(means, in) : CubeMap();
+  const NodeTracer tracer(base, surfaces.empty() ? means : surfaces, in, std::max(rays, 1));
   const std::size_t count = base.texels.size() / DiffuseLattice::kParts;
   std::vector<TracedNode> nodes(count);
   const glm::vec3 step = (base.high - base.low) / glm::vec3(base.nodes - 1);
