@@ -76,7 +76,8 @@ class MeshFormats : public TemporaryFolder {
                          const std::string& cells = "") {
     return R"(<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData><Piece NumberOfPoints="4" )" +
            cells + R"(NumberOfPolys="2"><PointData>)" + pointData + "</PointData><CellData>" + cellData +
-           R"(</CellData><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 2 0 0 2 3 0 0 3 0</DataArray></Points>)"
+           R"(</CellData><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">)"
+           R"(0 0 0 2 0 0 2 3 0 0 3 0</DataArray></Points>)"
            R"(<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 0 2 3</DataArray>)"
            R"(<DataArray type="Int32" Name="offsets" format="ascii">3 6</DataArray></Polys></Piece></PolyData></VTKFile>)";
   }

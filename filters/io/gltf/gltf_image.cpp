@@ -47,7 +47,10 @@ std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(GltfFile& file, co
   std::vector<std::string> problems;
   const auto decoded = imagePool().decode(encoded, progress, problems);
   for (const std::string& problem : problems) {
-    if (!problem.empty()) file.warn(oneLine(problem + "; grey takes its place, or it is left out"));
+    if (problem.empty()) continue;
+    const std::string own = file.path + ": ";  // those who show warnings name the file
+    const std::string text = problem.compare(0, own.size(), own) == 0 ? problem.substr(own.size()) : problem;
+    file.warn(oneLine(text + "; grey takes its place, or it is left out"));
   }
   std::map<int, std::shared_ptr<const ImageRgba8>> result;
   auto image = decoded.begin();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "filters/core/base/errors.h"
@@ -19,6 +20,13 @@ namespace {
 /// A name leads to different files beside different MTL files.
 std::string fileKey(const MtlMap& map) {
   return map.file + '\n' + map.name;
+}
+
+/// A picture's path from the model's folder.
+std::string shownName(const std::string& path, const std::string& modelPath) {
+  namespace fs = std::filesystem;
+  const fs::path name = fs::path(path).lexically_relative(fs::path(modelPath).parent_path());
+  return printable(name.empty() ? path : name.string());
 }
 
 std::uint8_t byteOf(double value) {
@@ -145,7 +153,7 @@ MtlPictures::MtlPictures(const std::vector<const MtlMaterial*>& materials, const
     EncodedImage image;
     image.data = reinterpret_cast<const unsigned char*>(bytes[i].data());
     image.size = bytes[i].size();
-    image.place = image.name = names[i];
+    image.place = image.name = shownName(names[i], modelPath);
     encoded.push_back(image);
   }
   std::vector<std::string> problems;

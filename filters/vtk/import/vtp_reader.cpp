@@ -1,7 +1,6 @@
 #include "filters/vtk/import/vtp_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -9,6 +8,7 @@
 #include "filters/core/base/printable_text.h"
 #include "filters/io/mesh/polygon_mesh.h"
 #include "filters/io/mesh/polygon_triangles.h"
+#include "filters/io/obj/obj_text.h"
 #include "filters/math/cube/srgb.h"
 #include "filters/vtk/import/mesh_model.h"
 #include "filters/vtk/import/vtp_file.h"
@@ -17,16 +17,11 @@ namespace boxprobe {
 
 namespace {
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 /// Bytes of three or four components are colours, as VTK draws them; so are other numbers of that name.
 bool isColorArray(const VtpArray& array) {
   if (array.components < 3 || array.components > 4) return false;
   if (array.type == "UInt8") return true;
-  const std::string name = lower(array.name);
+  const std::string name = lowerText(array.name);
   for (const char* known : {"rgb", "rgba", "color", "colors", "colour", "colours"}) {
     if (name == known) return true;
   }
@@ -140,7 +135,7 @@ class VtpPieces {
     for (const VtpArray& array : piece.arrays) {
       if (array.section != "PointData") continue;
       const std::size_t n = array.components;
-      const std::string name = lower(array.name);
+      const std::string name = lowerText(array.name);
       if ((array.name == piece.normals || (piece.normals.empty() && name == "normals")) && n == 3) {
         const std::vector<double> numbers = values(array, n * piece.points);
         for (std::size_t i = 0; i < numbers.size(); i += 3) {
