@@ -113,7 +113,7 @@ class PanelValuesTest : public WindowTest {
 
   void tryChoices(std::vector<std::string>& lines) {
     for (const char* name : {"techniqueProjection", "techniqueEvaluation", "mode", "faceSize", "samplesPerPixel",
-                             "bounces", "filter", "filterSamples", "clear", "imageLayout", "cubeView", "encoding",
+                             "bounces", "filter", "filterSamples", "clear", "imageLayout", "facesSeenFrom", "encoding",
                              "lightShadows", "glassForm", "curve", "fresnel"}) {
       auto* combo = window_->findChild<QComboBox*>(name);
       if (combo == nullptr) {

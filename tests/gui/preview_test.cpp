@@ -47,7 +47,7 @@ class PreviewTest : public WindowTest {
     return widget;
   }
   ProbePreview* preview() const { return window_->findChild<ProbePreview*>(); }
-  CubeView* view() const { return named<CubeView>("cubeView"); }
+  CubeFaces* view() const { return named<CubeFaces>("cubeView"); }
   /// By the keyboard, with the list open.
   void set(const char* name, int value) {
     auto* combo = named<QComboBox>(name);

@@ -85,7 +85,7 @@ void ImageFields::addCubeView() {
                            editor_.commitProbe(probeEditLabel(editor_, tr("view of faces")),
                                                [view](Probe& probe) { probe.cubeView = static_cast<CubeView>(view); });
                          });
-  view_->setObjectName("cubeView");
+  view_->setObjectName("facesSeenFrom");
   const auto& turn = probeField("imageRotationDegrees");
   turn_ = addProbeNumber(editor_, form_, tr("Image turned by"), fieldFormat(turn, 5.0, 1), fieldTip(turn),
                          [](Probe& probe, double value) { probe.imageRotationDegrees = value; });

@@ -62,7 +62,7 @@ ProbePreview::ProbePreview(Editor& editor, SceneRenderer& renderer, std::functio
       editor_(editor),
       renderer_(renderer),
       makeCurrent_(std::move(makeCurrent)),
-      view_(new CubeView(this)),
+      view_(new CubeFaces(this)),
       readout_(helpLabel(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
@@ -76,8 +76,8 @@ ProbePreview::ProbePreview(Editor& editor, SceneRenderer& renderer, std::functio
   readout_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &ProbePreview::readOne);
-  connect(view_, &CubeView::pointed, this, &ProbePreview::tell);
-  connect(view_, &CubeView::widthChanged, this, &ProbePreview::draw);
+  connect(view_, &CubeFaces::pointed, this, &ProbePreview::tell);
+  connect(view_, &CubeFaces::widthChanged, this, &ProbePreview::draw);
   tell(std::nullopt);
 }
 

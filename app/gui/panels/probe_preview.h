@@ -17,7 +17,7 @@ class QSlider;
 
 namespace boxprobe {
 
-class CubeView;
+class CubeFaces;
 class SceneRenderer;
 class ValueField;
 
@@ -55,7 +55,7 @@ class ProbePreview : public QWidget {
   Editor& editor_;
   SceneRenderer& renderer_;
   std::function<void()> makeCurrent_;
-  CubeView* view_;
+  CubeFaces* view_;
   QLabel* readout_;
   QComboBox *what_ = nullptr, *kind_ = nullptr, *sphere_ = nullptr;
   QSlider* level_ = nullptr;

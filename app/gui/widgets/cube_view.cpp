@@ -15,22 +15,22 @@ constexpr int kWidth = 400;
 
 }  // namespace
 
-CubeView::CubeView(QWidget* parent) : QWidget(parent) {
+CubeFaces::CubeFaces(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
 }
 
-QSize CubeView::sizeHint() const {
+QSize CubeFaces::sizeHint() const {
   return {kWidth, heightForWidth(kWidth)};
 }
 
-int CubeView::heightForWidth(int width) const {
+int CubeFaces::heightForWidth(int width) const {
   return kind_ == CubePictureKind::Cross ? 3 * width / 4 : width / 2;
 }
 
-void CubeView::show(const CubeMap* cube, CubePictureKind kind, float exposure, const QString& instead) {
+void CubeFaces::show(const CubeMap* cube, CubePictureKind kind, float exposure, const QString& instead) {
   if (kind != kind_) updateGeometry();
   kind_ = kind;
   instead_ = instead;
@@ -42,7 +42,7 @@ void CubeView::show(const CubeMap* cube, CubePictureKind kind, float exposure, c
   update();
 }
 
-void CubeView::paintEvent(QPaintEvent*) {
+void CubeFaces::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (image_.isNull()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
@@ -52,16 +52,16 @@ void CubeView::paintEvent(QPaintEvent*) {
   }
 }
 
-void CubeView::mouseMoveEvent(QMouseEvent* event) {
+void CubeFaces::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = pointerPlace(*event);
   emit pointed(image_.isNull() ? std::nullopt : CubePicture(kind_, image_.width()).direction({at.x(), at.y()}));
 }
 
-void CubeView::leaveEvent(QEvent*) {
+void CubeFaces::leaveEvent(QEvent*) {
   emit pointed(std::nullopt);
 }
 
-void CubeView::resizeEvent(QResizeEvent* event) {
+void CubeFaces::resizeEvent(QResizeEvent* event) {
   if (event->size().width() != event->oldSize().width()) emit widthChanged();
 }
 

@@ -10,11 +10,11 @@
 
 namespace boxprobe {
 
-class CubeView : public QWidget {
+class CubeFaces : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CubeView(QWidget* parent = nullptr);
+  explicit CubeFaces(QWidget* parent = nullptr);
 
   /// Draws `cube` (its level 0; empty: `instead`) at the width the widget has.
   void show(const CubeMap* cube, CubePictureKind kind, float exposure, const QString& instead);
