@@ -133,6 +133,7 @@ class Placer {
       placed.yawDegrees = glm::degrees(rooms_.region.yaw);
       placed.middleWorld = space.worldFromGrid * room.extent.center();
       placed.volume = room.volume;
+      placed.outdoors = room.outdoors;
       placed.parts = room.parts.size();
     }
     for (const Doorway& doorway : rooms_.doorways) {
@@ -262,6 +263,7 @@ class Placer {
       const std::optional<BoxFit> fit = roomFits_->fit(cells, part(from, from));
       if (!fit) return false;
       PlacedProbe candidate{fit->probe, room, true, 0.0, *fit};
+      keepApart(rooms_, room, candidate.probe);
       setPartInfluence(captured(), rooms_.space, cells, placement_.probes[first].probe, candidate.probe);
       candidates.push_back(std::move(candidate));
     }
@@ -380,7 +382,13 @@ class Placer {
       lit.push_back(placed.room);
       inheritSettings(scene_.probes, placed.probe);
     }
-    const std::vector<std::string> names = numberedRooms(roomsNamedByObjects(scene_, models_, rooms_), lit);
+    std::vector<std::string> stems = roomsNamedByObjects(scene_, models_, rooms_);
+    if (placement_.indoorsAndOutdoors()) {
+      for (std::size_t i = 0; i < stems.size(); ++i) {
+        if (stems[i].empty() && rooms_.rooms[i].outdoors) stems[i] = "outdoors";
+      }
+    }
+    const std::vector<std::string> names = numberedRooms(stems, lit);
     for (std::size_t i = 0; i < placement_.rooms.size(); ++i) {
       placement_.rooms[i].name = names[i];
       placement_.rooms[i].eyes = eyesIn(captured(), rooms_, rooms_.rooms[i]);
@@ -437,6 +445,11 @@ std::vector<Probe> Placement::all() const {
   std::vector<Probe> together = kept;
   for (const PlacedProbe& placed : probes) together.push_back(placed.probe);
   return together;
+}
+
+bool Placement::indoorsAndOutdoors() const {
+  const auto outdoors = std::count_if(rooms.begin(), rooms.end(), [](const PlacedRoom& room) { return room.outdoors; });
+  return outdoors > 0 && static_cast<std::size_t>(outdoors) < rooms.size();
 }
 
 std::optional<Placement> placeProbes(const Scene& scene, const TriangleRays::Models& models,

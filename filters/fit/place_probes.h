@@ -20,12 +20,13 @@ struct PlaceSettings {
 
 /// A room in the report.
 struct PlacedRoom {
-  std::string name;  ///< "kitchen" if its objects are called so, else "room 1"
+  std::string name;  ///< "kitchen" if its objects are called so, else "room 1"; "outdoors" beside rooms with a ceiling
   Box extent;        ///< of its free space, along axes rotated by `yawDegrees` about the world's +y axis
   double yawDegrees = 0.0;
   glm::dvec3 middleWorld{0.0};
   double volume = 0.0;
   std::vector<Doorway> doorways;       ///< `a` is this room
+  bool outdoors = false;               ///< a court or garden
   bool reflects = true;                ///< false: it has no ceiling and only rough surfaces, and is ignored
   std::size_t parts = 1;               ///< number of parts between narrow places
   LitErrors before, after;             ///< with the scene's own probes; with the placed probes
@@ -44,6 +45,8 @@ struct Placement {
   std::size_t cells = 0;
   double roomSeconds = 0.0, seconds = 0.0;
 
+  /// Are there rooms of both kinds? No box then goes around all of them.
+  bool indoorsAndOutdoors() const;
   /// The kept probes and the placed ones.
   std::vector<Probe> all() const;
 };

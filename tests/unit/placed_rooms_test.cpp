@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <set>
 
 #include "filters/fit/place_probes.h"
@@ -132,6 +133,69 @@ TEST(PlacedRooms, ProbesReachTheFramesOfWindowsButNotTheGarden) {
   EXPECT_GT(probe.influenceBox().max.z - probe.blendDistance.max.z, 3.44) << "the pane has the full weight";
   EXPECT_LT(probe.influenceBox().max.z, 3.6) << "the garden has none";
   EXPECT_LT(probe.influenceBox().max.x, 2.7) << "nothing is behind that wall";
+}
+
+/// A lounge of 5.3 x 2.7 x 3.4 m, open at z = 0 to a walled garden of 5.3 x 4.7 m.
+MadeModel loungeAndGarden() {
+  MadeModel made;
+  const Box lounge{glm::dvec3(-2.4, 0, -3.4), glm::dvec3(2.9, 2.7, 0)},
+      garden{glm::dvec3(-2.4, 0, 0), glm::dvec3(2.9, 3.7, 4.7)};
+  for (const bool upper : {false, true}) {
+    made.side(lounge, 0, upper);
+    made.side(lounge, 1, upper);
+    made.side(garden, 0, upper);
+  }
+  made.side(lounge, 2, false);
+  made.side(garden, 2, true);
+  made.side(garden, 1, false);
+  made.side({glm::dvec3(-2.4, 2.7, 0), glm::dvec3(2.9, 3.7, 0)}, 2, false);  // above the opening
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  return made;
+}
+
+bool holds(const Box& box, const glm::dvec3& p) {
+  return glm::all(glm::greaterThan(p, box.min)) && glm::all(glm::lessThan(p, box.max));
+}
+
+TEST(PlacedRooms, IndoorsAndOutdoorsAreNeverInOneBox) {
+  const std::optional<Placement> placement = placedIn(loungeAndGarden().model);
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 2u);
+  EXPECT_TRUE(placement->indoorsAndOutdoors());
+  bool indoors = false;
+  for (const PlacedProbe& placed : placement->probes) {
+    const Box& box = placed.probe.box;
+    ASSERT_EQ(placed.probe.rotationDegrees, glm::dvec3(0.0));
+    EXPECT_FALSE(holds(box, {0.3, 1.3, -1.4}) && holds(box, {0.3, 1.3, 1.9})) << placed.probe.name;
+    EXPECT_EQ(placement->rooms[placed.room].outdoors, placed.probe.origin.z > 0.0) << placed.probe.name;
+    if (placement->rooms[placed.room].outdoors) continue;
+    indoors = true;
+    EXPECT_LT(placed.probe.influenceBox().max.z, 0.5) << "the garden is not lit by the lounge";
+  }
+  EXPECT_TRUE(indoors);
+}
+
+TEST(PlacedRooms, AHoleInTheRoofIsNoGarden) {
+  // A hall of 7.3 x 3.1 x 5.7 m with a skylight of 1.7 x 1.5 m.
+  MadeModel made;
+  const Box hall{glm::dvec3(-3.4, 0, -2.6), glm::dvec3(3.9, 3.1, 3.1)};
+  for (const int axis : {0, 2}) {
+    made.side(hall, axis, false);
+    made.side(hall, axis, true);
+  }
+  made.side(hall, 1, false);
+  for (const Box& piece : {Box{glm::dvec3(-3.4, 3.1, -2.6), glm::dvec3(-0.6, 3.1, 3.1)},
+                           Box{glm::dvec3(1.1, 3.1, -2.6), glm::dvec3(3.9, 3.1, 3.1)},
+                           Box{glm::dvec3(-0.6, 3.1, -2.6), glm::dvec3(1.1, 3.1, -0.4)},
+                           Box{glm::dvec3(-0.6, 3.1, 1.1), glm::dvec3(1.1, 3.1, 3.1)}}) {
+    made.side(piece, 1, true);
+  }
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 1u);
+  EXPECT_FALSE(placement->rooms[0].outdoors);
+  EXPECT_GT(placement->rooms[0].volume, 0.8 * 7.3 * 3.1 * 5.7);
 }
 
 TEST(PlacedRooms, ProbesAreCapturedAsTheScenesOwn) {
