@@ -19,8 +19,8 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kWidth = 48, kHeight = 27, kRays = 96;
-constexpr int kViewWidth = 96, kViewHeight = 54, kViewRays = 48;       // for people to look at
+constexpr int kWidth = 48, kHeight = 27;
+constexpr int kViewWidth = 96, kViewHeight = 54;                       // for people to look at
 constexpr std::size_t kLeastEyes = 16, kMostEyes = 64, kRoomEyes = 2;  // at most; of each room, where there are many
 constexpr std::size_t kMostParts = 4, kMostMoved = 4;
 constexpr int kFaceSize = 64;       // of captures: sixteen times as fast as what is drawn later
@@ -97,7 +97,7 @@ class Checker {
   /// The eyes of rooms with probes in turn, the first ones of all rooms first; then one of each other room.
   std::vector<std::pair<std::size_t, Camera>> cameras() const {
     std::vector<bool> lit(placement_.rooms.size(), placement_.probes.empty());
-    for (const PlacedProbe& placed : placement_.probes) lit[placed.room] = true;
+    for (const PlacedProbe& placed : placement_.probes) lit[placed.room] = lit[placed.room] || !placed.surroundings;
     const auto rooms = static_cast<std::size_t>(std::count(lit.begin(), lit.end(), true));
     const std::size_t most = std::clamp(kRoomEyes * rooms, kLeastEyes, kMostEyes);
     std::vector<std::pair<std::size_t, Camera>> cameras;
@@ -124,7 +124,7 @@ class Checker {
       PathSettings settings;
       settings.width = kWidth;
       settings.height = kHeight;
-      settings.raysPerPixel = kRays;
+      settings.raysPerPixel = settings_.paths;
       Eye eye{cameras[i].first,
               cameras[i].second,
               path_.render(cameras[i].second, settings,
@@ -231,7 +231,10 @@ class Checker {
     const bool both = placement_.indoorsAndOutdoors();
     // One box around all rooms; mean light of a whole flat may be closer than that of a room that sees little of it.
     std::vector<Probe> oneBox;
-    if (placement_.probes.size() > 1 && placement_.kept.empty() && !both) {
+    const auto outside = std::count_if(placement_.probes.begin(), placement_.probes.end(),
+                                       [](const PlacedProbe& each) { return each.surroundings; });
+    const bool several = placement_.probes.size() > 1 + static_cast<std::size_t>(outside);
+    if (several && placement_.kept.empty() && !both) {
       oneBox = {aroundAll()};
       const auto errors = errorsWith(oneBox);
       if (!errors) return false;
@@ -331,7 +334,7 @@ class Checker {
       PathSettings path;
       path.width = kViewWidth;
       path.height = kViewHeight;
-      path.raysPerPixel = kViewRays;
+      path.raysPerPixel = std::max(settings_.paths / 2, 1);
       EyePictures view{eyes_[i].room, eyes_[i].camera, {}, {}, {}};
       const ReferencePicture truth =
           path_.render(view.camera, path, [&](double part) { return report(0.7 + 0.2 * (done + part * step)); });
@@ -446,14 +449,16 @@ class Checker {
     std::size_t tried = 0;
     for (std::size_t i = placement_.probes.size(); i-- > 0 && tried < kMostParts;) {
       const PlacedProbe candidate = placement_.probes[i];
-      const auto sameRoom = std::count_if(placement_.probes.begin(), placement_.probes.end(),
-                                          [&](const PlacedProbe& each) { return each.room == candidate.room; });
-      if (!candidate.part || sameRoom < 2) continue;
+      const auto sameRoom =
+          std::count_if(placement_.probes.begin(), placement_.probes.end(),
+                        [&](const PlacedProbe& each) { return each.room == candidate.room && !each.surroundings; });
+      if (!candidate.part || (sameRoom < 2 && !candidate.surroundings)) continue;
       ++tried;
       placement_.probes.erase(placement_.probes.begin() + static_cast<std::ptrdiff_t>(i));
       const auto errors = errorsWith(placement_.all());
       if (!errors) return false;
-      const bool missed = errors->error > kNoWorse * best.error;
+      // What is seen outside stays lit unless that is plainly worse.
+      const bool missed = errors->error > (candidate.surroundings ? kBetter : kNoWorse) * best.error;
       check_.sentences.push_back(
           "without \"" + oneLine(candidate.probe.name) + "\"" +
           sentence(": error %.3f -> %.3f, %s", best.error, errors->error, missed ? "it stays" : "left out"));

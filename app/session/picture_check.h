@@ -45,9 +45,9 @@ struct PictureCheck {
   double seconds = 0.0;
 };
 
-/// Also makes PictureCheck::views, 96 by 54 pixels, for those who review what is proposed.
 struct PictureCheckSettings {
-  bool views = false;
+  bool views = false;  ///< makes PictureCheck::views, 96 by 54 pixels, for those who review what is proposed
+  int paths = 96;      ///< per pixel of the truth that is measured against; half as many for the views
 };
 
 /// Tries `placement`, the same with more bounces and without the probes of parts of rooms, one box around all rooms,

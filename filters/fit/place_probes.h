@@ -36,10 +36,11 @@ struct PlacedRoom {
 };
 
 struct Placement {
-  std::vector<PlacedRoom> rooms;    ///< in order of decreasing size
-  std::vector<PlacedProbe> probes;  ///< in the order of the rooms
-  std::vector<Probe> kept;          ///< of the scene; all of them if there are no rooms
-  LitErrors before, after;          ///< of all rooms, weighted by volume
+  std::vector<PlacedRoom> rooms;             ///< in order of decreasing size
+  std::vector<PlacedProbe> probes;           ///< in the order of the rooms
+  std::vector<Probe> kept;                   ///< of the scene; all of them if there are no rooms
+  LitErrors before, after;                   ///< of all rooms, weighted by volume
+  double bareBefore = 0.0, bareAfter = 0.0;  ///< share of what is seen from the rooms that no probe lights
   std::vector<std::string> remarks;
   double cell = 0.0;  ///< cell size of the free space, scene units
   std::size_t cells = 0;

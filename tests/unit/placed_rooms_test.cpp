@@ -198,6 +198,80 @@ TEST(PlacedRooms, AHoleInTheRoofIsNoGarden) {
   EXPECT_GT(placement->rooms[0].volume, 0.8 * 7.3 * 3.1 * 5.7);
 }
 
+/// Does a probe that is not rotated have any weight there?
+bool lights(const Probe& probe, const glm::dvec3& p) {
+  EXPECT_EQ(probe.rotationDegrees, glm::dvec3(0.0));
+  return holds(probe.influenceBox(), p);
+}
+
+TEST(PlacedRooms, InfluencesGrowOverDeepNichesAndBoxesDoNot) {
+  // A room of 4.2 x 2.7 x 3.5 m with a slot in its wall at x = 0, 0.3 m high, 0.5 m wide and 1.2 m deep.
+  MadeModel made;
+  const Box room{glm::dvec3(-4.2, 0, -1.6), glm::dvec3(0, 2.7, 1.9)},
+      slot{glm::dvec3(0, 1.1, -0.2), glm::dvec3(1.2, 1.4, 0.3)};
+  for (const int axis : {1, 2}) {
+    for (const bool upper : {false, true}) {
+      made.side(room, axis, upper);
+      made.side(slot, axis, upper);
+    }
+  }
+  made.side(room, 0, false);
+  made.side(slot, 0, true);
+  for (const Box& piece :
+       {Box{glm::dvec3(0, 0, -1.6), glm::dvec3(0, 2.7, -0.2)}, Box{glm::dvec3(0, 0, 0.3), glm::dvec3(0, 2.7, 1.9)},
+        Box{glm::dvec3(0, 0, -0.2), glm::dvec3(0, 1.1, 0.3)},
+        Box{glm::dvec3(0, 1.4, -0.2), glm::dvec3(0, 2.7, 0.3)}}) {
+    made.side(piece, 0, true);
+  }
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 1u);
+  ASSERT_FALSE(placement->probes.empty());
+  const Probe& probe = placement->probes.front().probe;
+  EXPECT_NEAR(probe.box.max.x, 0.0, 0.15) << "the box follows the wall";
+  EXPECT_TRUE(lights(probe, {1.05, 1.1, 0.1})) << "the slot's floor";
+  EXPECT_LT(placement->bareAfter, 0.005);
+}
+
+TEST(PlacedRooms, WhatIsSeenOutsideHasAProbeBelowAllOthers) {
+  // A room of 4.7 x 2.7 x 3.4 m with a door to a lawn, where a wall stands 7 m away.
+  MadeModel made;
+  const Box room{glm::dvec3(-2.1, 0, -3.4), glm::dvec3(2.6, 2.7, 0)};
+  for (const int axis : {0, 1}) {
+    made.side(room, axis, false);
+    made.side(room, axis, true);
+  }
+  made.side(room, 2, false);
+  for (const bool inside : {true, false}) {
+    const double z = inside ? 0.0 : 0.2;
+    for (const Box& piece :
+         {Box{glm::dvec3(-2.1, 0, z), glm::dvec3(-0.3, 2.7, z)}, Box{glm::dvec3(1.2, 0, z), glm::dvec3(2.6, 2.7, z)},
+          Box{glm::dvec3(-0.3, 2.2, z), glm::dvec3(1.2, 2.7, z)}}) {
+      made.side(piece, 2, true, inside);
+    }
+  }
+  made.box({glm::dvec3(-6, 0, 7.2), glm::dvec3(8, 3, 7.5)}, false);
+  made.quad({-25, -0.05f, 25}, {25, -0.05f, 25}, {25, -0.05f, 0.2f}, {-25, -0.05f, 0.2f});
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  const auto outside = std::find_if(placement->probes.begin(), placement->probes.end(),
+                                    [](const PlacedProbe& each) { return each.surroundings; });
+  ASSERT_NE(outside, placement->probes.end());
+  EXPECT_EQ(outside->probe.name, "surroundings");
+  EXPECT_GT(outside->probe.origin.z, 0.2) << "it is captured outside";
+  EXPECT_TRUE(lights(outside->probe, {0.5, -0.05, 3.0}));
+  EXPECT_TRUE(lights(outside->probe, {0.5, 1.4, 7.2}));
+  for (const PlacedProbe& each : placement->probes) {
+    if (each.surroundings) continue;
+    EXPECT_GT(each.probe.importance, outside->probe.importance) << each.probe.name;
+  }
+  EXPECT_LT(placement->bareAfter, 0.005);
+}
+
 TEST(PlacedRooms, ProbesAreCapturedAsTheScenesOwn) {
   Probe own;
   own.name = "mine";

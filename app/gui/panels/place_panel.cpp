@@ -130,7 +130,7 @@ void PlacePanel::place() {
   if (models_.empty()) return;
   discard();
   given_ = editor_.scene();
-  work_.start([this, scene = given_, models = models_](const BackgroundWork::Progress& progress) {
+  work_.start([this, scene = given_, models = models_, paths = paths_](const BackgroundWork::Progress& progress) {
     constexpr double kPlacing = 0.3;  // of the time, as rooms and pictures usually share it
     BackgroundWork::Finish finish;
     std::optional<Placement> placement =
@@ -146,6 +146,7 @@ void PlacePanel::place() {
       settings.beside = true;
       PictureCheckSettings wanted;
       wanted.views = true;
+      wanted.paths = paths;
       try {
         OffscreenScene hidden(settings);
         result.pictures = checkPictures(

@@ -34,6 +34,8 @@ class PlacePanel : public QWidget {
   /// The document changed: a result for what is no longer so is dropped.
   void update();
 
+  /// How finely pictures are traced; `views` is set in any case.
+  void setPaths(int paths) { paths_ = paths; }
   /// Starts, or stops what is under way.
   void place();
   bool running() const { return work_.running(); }
@@ -70,6 +72,7 @@ class PlacePanel : public QWidget {
   PlacedList* list_;
   QCheckBox* replace_;
   QWidget* review_;
+  int paths_ = PictureCheckSettings{}.paths;
   Scene given_;  ///< what probes are placed in, or were
   std::optional<std::vector<Proposed>> result_;
   BackgroundWork work_;  ///< last: it ends before what it would tell of it
