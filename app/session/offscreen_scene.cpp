@@ -15,7 +15,7 @@ namespace boxprobe {
 OffscreenScene::OffscreenScene(const OffscreenSettings& settings) : OffscreenScene(openOffscreenWindow(settings)) {}
 
 OffscreenScene::OffscreenScene(vtkSmartPointer<vtkOpenGLRenderWindow> window)
-    : window_(std::move(window)), renderer_(std::make_unique<SceneRenderer>(window_)) {
+    : window_(std::move(window)), renderer_(std::make_unique<SceneRenderer>(window_)), toldBefore_(firstVtkError()) {
   renderer_->setSightLines(traceSightLines);
 }
 
@@ -52,7 +52,7 @@ bool OffscreenScene::capture(const std::function<bool(double)>& progress) {
 
 void OffscreenScene::requireHealthy() const {
   if (!renderer_->error().empty()) throw WorkError(renderer_->error());
-  if (!firstVtkError().empty()) throw WorkError(firstVtkError());
+  if (firstVtkError() != toldBefore_) throw WorkError(firstVtkError());
 }
 
 void OffscreenScene::rest() {

@@ -49,7 +49,8 @@ class OffscreenScene {
   bool capture(const std::function<bool(double)>& progress = {});
   /// To be drawn many times as it is now: programs with its numbers as constants (SceneRenderer::specializePrograms).
   void rest();
-  /// A picture without its reflections, or with a mesh missing, must not pass for the real one: throws WorkError.
+  /// A picture without its reflections, or with a mesh missing, must not pass for the real one: throws WorkError. What
+  /// VTK said before this object was there does not count.
   void requireHealthy() const;
 
   /// Draws one frame into the window. CPU seconds that it took, of all threads: software OpenGL draws in this process.
@@ -70,6 +71,7 @@ class OffscreenScene {
   Models models_;  ///< of `shown_`
   std::string bakedFolder_;
   std::vector<std::string> bakeTargets_, cutShort_;
+  std::string toldBefore_;
 };
 
 }  // namespace boxprobe

@@ -73,17 +73,18 @@ bool drawsFloats() {
 }  // namespace
 
 vtkSmartPointer<vtkOpenGLRenderWindow> openOffscreenWindow(const OffscreenSettings& settings) {
-  installVtkMessages(settings.quiet, settings.printErrors);
-  if (settings.fewFrames) setenv("GALLIVM_PERF", "nopt", 0);
+  if (!settings.beside) installVtkMessages(settings.quiet, settings.printErrors);
+  if (settings.fewFrames && !settings.beside) setenv("GALLIVM_PERF", "nopt", 0);
+  const std::string toldBefore = firstVtkError();
   vtkSmartPointer<vtkOpenGLRenderWindow> window = windowFor(settings);
   window->SetOffScreenRendering(1);  // draws into a framebuffer of its own, and shows nothing
   window->SetMultiSamples(0);
   window->SetSize(settings.width, settings.height);
   window->Initialize();
   window->MakeCurrent();
-  if (!window->IsCurrent() || !firstVtkError().empty()) {
-    throw WorkError("cannot start OpenGL 3.2 here" +
-                    (firstVtkError().empty() ? std::string() : ": " + firstVtkError()));
+  const std::string told = firstVtkError();
+  if (!window->IsCurrent() || told != toldBefore) {
+    throw WorkError("cannot start OpenGL 3.2 here" + (told == toldBefore ? std::string() : ": " + told));
   }
   int major = 0, minor = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);

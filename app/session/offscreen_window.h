@@ -22,6 +22,8 @@ struct OffscreenSettings {
   /// What is drawn does not pay for well compiled shaders: Mesa's software renderers are told to compile them as they
   /// stand, which gives the same pixels, unless GALLIVM_PERF tells them something else.
   bool fewFrames = false;
+  /// Beside a window that draws, from a thread of its own: VTK's messages and the environment stay as they are.
+  bool beside = false;
 };
 
 /// For `fewFrames`: a frame of `building` with eight lookups takes 0.74 s of CPU time or, with shaders compiled in a

@@ -19,8 +19,10 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kWidth = 48, kHeight = 27, kRays = 96;
-constexpr std::size_t kMostEyes = 16, kMostParts = 4, kMostMoved = 4;
+constexpr int kWidth = 48, kHeight = 27;
+constexpr int kViewWidth = 96, kViewHeight = 54;                       // for people to look at
+constexpr std::size_t kLeastEyes = 16, kMostEyes = 64, kRoomEyes = 2;  // at most; of each room, where there are many
+constexpr std::size_t kMostParts = 4, kMostMoved = 4;
 constexpr int kFaceSize = 64;       // of captures: sixteen times as fast as what is drawn later
 constexpr int kBounces = 3;         // of light between surfaces, where one makes rooms too dark
 constexpr double kGlossy = 4.0;     // weight: a wrong mirror is seen at once
@@ -62,8 +64,13 @@ std::vector<Probe> withBounces(std::vector<Probe> probes) {
 class Checker {
  public:
   Checker(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
-          const std::function<bool(double)>& progress)
-      : loaded_(loaded), placement_(placement), shown_(shown), progress_(progress) {}
+          const std::function<bool(double)>& progress, const PictureCheckSettings& settings)
+      : loaded_(loaded),
+        placement_(placement),
+        shown_(shown),
+        progress_(progress),
+        settings_(settings),
+        path_(loaded.scene, loaded.models, loadSkyImage(loaded.scene)) {}
 
   std::optional<PictureCheck> check() {
     const auto begun = std::chrono::steady_clock::now();
@@ -72,11 +79,14 @@ class Checker {
     if (placement_.rooms.empty()) return check_;
     if (eyes_.empty() || !(white_ > 0.0)) {
       check_.sentences.emplace_back(eyes_.empty() ? "pictures were not compared: nobody can stand in these rooms"
-                                                  : "pictures were not compared: the scene has no light");
+                                    : surfaces_   ? "pictures were not compared: the scene has no light"
+                                                : "pictures were not compared: only lamps and unlit surfaces are seen");
       check_.better = true;
       return check_;
     }
     if (!choose()) return std::nullopt;
+    tellRooms();
+    if (settings_.views && check_.better && !lookCloser()) return std::nullopt;
     check_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return check_;
   }
@@ -84,37 +94,43 @@ class Checker {
  private:
   bool report(double done) const { return !progress_ || progress_(done); }
 
-  /// The rooms' eyes in turn, the first ones of all rooms first.
+  /// The eyes of rooms with probes in turn, the first ones of all rooms first; then one of each other room.
   std::vector<std::pair<std::size_t, Camera>> cameras() const {
+    std::vector<bool> lit(placement_.rooms.size(), placement_.probes.empty());
+    for (const PlacedProbe& placed : placement_.probes) lit[placed.room] = lit[placed.room] || !placed.surroundings;
+    const auto rooms = static_cast<std::size_t>(std::count(lit.begin(), lit.end(), true));
+    const std::size_t most = std::clamp(kRoomEyes * rooms, kLeastEyes, kMostEyes);
     std::vector<std::pair<std::size_t, Camera>> cameras;
-    for (std::size_t turn = 0;; ++turn) {
+    const auto add = [&](bool withProbes, std::size_t turn) {
       bool any = false;
-      for (const PlacedRoom& room : placement_.rooms) {
-        if (turn >= room.eyes.size()) continue;
+      for (std::size_t i = 0; i < placement_.rooms.size(); ++i) {
+        if (lit[i] != withProbes || turn >= placement_.rooms[i].eyes.size()) continue;
         any = true;
-        const auto number = static_cast<std::size_t>(&room - placement_.rooms.data());
-        if (cameras.size() < kMostEyes) cameras.emplace_back(number, room.eyes[turn]);
+        if (cameras.size() < most) cameras.emplace_back(i, placement_.rooms[i].eyes[turn]);
       }
-      if (!any || cameras.size() >= kMostEyes) return cameras;
+      return any;
+    };
+    for (std::size_t turn = 0; add(true, turn); ++turn) {
     }
+    add(false, 0);
+    return cameras;
   }
 
   bool look() {
     const std::vector<std::pair<std::size_t, Camera>> cameras = this->cameras();
-    const ReferencePath path(loaded_.scene, loaded_.models, loadSkyImage(loaded_.scene));
     const SceneTracer tracer(makeTriangleScene(loaded_.scene, loaded_.models));
     double sum = 0.0, count = 0.0;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       PathSettings settings;
       settings.width = kWidth;
       settings.height = kHeight;
-      settings.raysPerPixel = kRays;
+      settings.raysPerPixel = settings_.paths;
       Eye eye{cameras[i].first,
               cameras[i].second,
-              path.render(cameras[i].second, settings,
-                          [&](double done) {
-                            return report(0.4 * (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
-                          }),
+              path_.render(cameras[i].second, settings,
+                           [&](double done) {
+                             return report(0.4 * (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
+                           }),
               {}};
       if (!eye.truth.complete) return false;
       const PictureRays rays(cameras[i].second, kWidth, kHeight);
@@ -128,6 +144,7 @@ class Checker {
       }
       eyes_.push_back(std::move(eye));
     }
+    surfaces_ = count > 0.0;
     white_ = count > 0.0 ? kWhite * sum / count : 0.0;
     return true;
   }
@@ -158,12 +175,14 @@ class Checker {
   /// Nothing if it was stopped.
   std::optional<PictureErrors> errorsWith(const std::vector<Probe>& probes) {
     ++trials_;
-    const double from = 0.4 + 0.6 * std::min(1.0, (trials_ - 1) / kUsualTrials);
+    const double from = 0.4 + (settings_.views ? 0.3 : 0.6) * std::min(1.0, (trials_ - 1) / kUsualTrials);
     if (!report(from)) return std::nullopt;
     Scene scene = loaded_.scene;
     scene.probes = measured(probes);
     double squares = 0.0, noise = 0.0, truths = 0.0, glossy = 0.0, glossyTruths = 0.0, sum = 0.0, truthSum = 0.0;
     roomSquares_.assign(placement_.rooms.size(), 0.0);
+    roomNoise_.assign(placement_.rooms.size(), 0.0);
+    roomTruths_.assign(placement_.rooms.size(), 0.0);
     for (const Eye& eye : eyes_) {
       shown_.show(scene, loaded_.models, {eye.camera});
       if (!shown_.capture([&](double) { return report(from); })) return std::nullopt;
@@ -179,6 +198,8 @@ class Checker {
           roomSquares_[eye.room] += weight * (p - t) * (p - t);
           noise += weight * e * e;
           truths += weight * t * t;
+          roomNoise_[eye.room] += weight * e * e;
+          roomTruths_[eye.room] += weight * t * t;
           sum += p;
           truthSum += t;
           if (weight < kGlossy) continue;
@@ -198,6 +219,7 @@ class Checker {
     const std::vector<Probe>& own = loaded_.scene.probes;
     const auto before = errorsWith(own);
     if (!before) return false;
+    ownSquares_ = bestSquares_ = roomSquares_;
     check_.before = check_.after = *before;
     std::optional<PictureErrors> best;
     enum class Choice { Placed, OneBox, OwnWithBounces } choice = Choice::Placed;
@@ -206,22 +228,33 @@ class Checker {
       bestSquares_ = roomSquares_;
       if (!best || !tryBounces(*best) || !leaveOut(*best)) return false;
     }
+    const bool both = placement_.indoorsAndOutdoors();
     // One box around all rooms; mean light of a whole flat may be closer than that of a room that sees little of it.
     std::vector<Probe> oneBox;
-    if (placement_.probes.size() > 1 && placement_.kept.empty()) {
+    const auto outside = std::count_if(placement_.probes.begin(), placement_.probes.end(),
+                                       [](const PlacedProbe& each) { return each.surroundings; });
+    const bool several = placement_.probes.size() > 1 + static_cast<std::size_t>(outside);
+    if (several && placement_.kept.empty() && !both) {
       oneBox = {aroundAll()};
       const auto errors = errorsWith(oneBox);
       if (!errors) return false;
       check_.sentences.push_back(sentence("one box around all rooms: error %.3f", errors->error));
-      if (errors->error < kBetter * best->error) best = *errors, choice = Choice::OneBox;
+      if (errors->error < kBetter * best->error) {
+        best = *errors, choice = Choice::OneBox;
+        bestSquares_ = roomSquares_;
+      }
     }
     const std::vector<Probe> bounced = withBounces(own);
-    if (!own.empty() && bounced != own && placement_.kept.empty()) {
+    const bool acrossBoth = both && loaded_.fit;  // nobody set that box by hand
+    if (!own.empty() && bounced != own && placement_.kept.empty() && !acrossBoth) {
       const auto errors = errorsWith(bounced);
       if (!errors) return false;
       check_.sentences.push_back(
           sentence("the scene's own probes with %d bounces: error %.3f", kBounces, errors->error));
-      if (!best || errors->error < kBetter * best->error) best = *errors, choice = Choice::OwnWithBounces;
+      if (!best || errors->error < kBetter * best->error) {
+        best = *errors, choice = Choice::OwnWithBounces;
+        bestSquares_ = roomSquares_;
+      }
     }
     if (choice == Choice::OneBox) {
       PlacedProbe one = placement_.probes.front();
@@ -255,6 +288,74 @@ class Checker {
     return true;
   }
 
+  /// Of the pictures measured last; the truth and its noise are the same for all.
+  double roomError(std::size_t room, const std::vector<double>& squares) const {
+    if (!(roomTruths_[room] > 0.0)) return 0.0;
+    return std::sqrt(std::max(squares[room] - roomNoise_[room], 0.0) / roomTruths_[room]);
+  }
+
+  void tellRooms() {
+    check_.rooms.resize(placement_.rooms.size());
+    for (const Eye& eye : eyes_) {
+      RoomErrors& room = check_.rooms[eye.room];
+      room.seen = true;
+      room.before = roomError(eye.room, ownSquares_);
+      room.after = check_.better ? roomError(eye.room, bestSquares_) : room.before;
+    }
+  }
+
+  /// The eye nearest to the middle of a probe's box, of those in its room.
+  std::optional<std::size_t> eyeFor(const Probe& probe, std::optional<std::size_t> room) const {
+    std::optional<std::size_t> best;
+    double least = 1e300;
+    for (std::size_t i = 0; i < eyes_.size(); ++i) {
+      if (room && eyes_[i].room != *room) continue;
+      const double away = glm::length(eyes_[i].camera.position - probe.box.center());
+      if (away < least) best = i, least = away;
+    }
+    return best;
+  }
+
+  /// Pictures for people: finer, and only those that show what is proposed.
+  bool lookCloser() {
+    std::vector<std::size_t> eyeOfView;
+    const auto show = [&](const Probe& probe, std::optional<std::size_t> room) {
+      const std::optional<std::size_t> eye = eyeFor(probe, room);
+      if (!eye) return check_.viewOf.push_back(std::nullopt);
+      const auto known = std::find(eyeOfView.begin(), eyeOfView.end(), *eye);
+      check_.viewOf.emplace_back(static_cast<std::size_t>(known - eyeOfView.begin()));
+      if (known == eyeOfView.end()) eyeOfView.push_back(*eye);
+    };
+    for (const Probe& probe : placement_.kept) show(probe, std::nullopt);
+    for (const PlacedProbe& placed : placement_.probes) show(placed.probe, placed.room);
+    for (const std::size_t i : eyeOfView) {
+      const double done = static_cast<double>(check_.views.size()) / static_cast<double>(eyeOfView.size());
+      const double step = 1.0 / static_cast<double>(eyeOfView.size());
+      PathSettings path;
+      path.width = kViewWidth;
+      path.height = kViewHeight;
+      path.raysPerPixel = std::max(settings_.paths / 2, 1);
+      EyePictures view{eyes_[i].room, eyes_[i].camera, {}, {}, {}};
+      const ReferencePicture truth =
+          path_.render(view.camera, path, [&](double part) { return report(0.7 + 0.2 * (done + part * step)); });
+      if (!truth.complete) return false;
+      view.truth = truth.color;
+      check_.views.push_back(std::move(view));
+    }
+    const auto draw = [&](const std::vector<Probe>& probes, ImageRgbaF EyePictures::*picture, double from) {
+      Scene scene = loaded_.scene;
+      scene.probes = measured(probes);
+      for (EyePictures& view : check_.views) {
+        shown_.show(scene, loaded_.models, {view.camera});
+        if (!shown_.capture([&](double) { return report(from); })) return false;
+        view.*picture = shown_.renderer().renderLinear(kViewWidth, kViewHeight, 8);
+        shown_.requireHealthy();
+      }
+      return true;
+    };
+    return draw(loaded_.scene.probes, &EyePictures::before, 0.9) && draw(placement_.all(), &EyePictures::after, 0.95);
+  }
+
   /// Captured from elsewhere in the same room: what the origin sees is what every point of the room shows.
   bool moveOrigins(PictureErrors& best) {
     if (placement_.probes.size() > kMostMoved) return moveMany(best);
@@ -272,6 +373,7 @@ class Checker {
                                             origin.z, best.error, errors->error, better ? "" : ", left out"));
         if (better) {
           best = *errors;
+          bestSquares_ = roomSquares_;
         } else {
           placement_.probes[i].probe = still;
         }
@@ -312,6 +414,7 @@ class Checker {
                                         errors->error, better ? "" : ", left out"));
     if (better) {
       best = *errors;
+      bestSquares_ = roomSquares_;
     } else {
       placement_.probes = still;
     }
@@ -346,14 +449,16 @@ class Checker {
     std::size_t tried = 0;
     for (std::size_t i = placement_.probes.size(); i-- > 0 && tried < kMostParts;) {
       const PlacedProbe candidate = placement_.probes[i];
-      const auto sameRoom = std::count_if(placement_.probes.begin(), placement_.probes.end(),
-                                          [&](const PlacedProbe& each) { return each.room == candidate.room; });
-      if (!candidate.part || sameRoom < 2) continue;
+      const auto sameRoom =
+          std::count_if(placement_.probes.begin(), placement_.probes.end(),
+                        [&](const PlacedProbe& each) { return each.room == candidate.room && !each.surroundings; });
+      if (!candidate.part || (sameRoom < 2 && !candidate.surroundings)) continue;
       ++tried;
       placement_.probes.erase(placement_.probes.begin() + static_cast<std::ptrdiff_t>(i));
       const auto errors = errorsWith(placement_.all());
       if (!errors) return false;
-      const bool missed = errors->error > kNoWorse * best.error;
+      // What is seen outside stays lit unless that is plainly worse.
+      const bool missed = errors->error > (candidate.surroundings ? kBetter : kNoWorse) * best.error;
       check_.sentences.push_back(
           "without \"" + oneLine(candidate.probe.name) + "\"" +
           sentence(": error %.3f -> %.3f, %s", best.error, errors->error, missed ? "it stays" : "left out"));
@@ -396,23 +501,28 @@ class Checker {
   Placement& placement_;
   OffscreenScene& shown_;
   const std::function<bool(double)>& progress_;
+  const PictureCheckSettings& settings_;
+  ReferencePath path_;
   std::vector<Eye> eyes_;
   double white_ = 0.0;
+  bool surfaces_ = false;  ///< the eyes see some that count
   double trials_ = 0.0;
-  std::vector<double> roomSquares_, bestSquares_;  ///< by room: of the last probes measured; of the best as placed
+  std::vector<double> roomSquares_, bestSquares_, ownSquares_;  ///< by room: measured last; the best; the scene's own
+  std::vector<double> roomNoise_, roomTruths_;
   PictureCheck check_;
 };
 
 }  // namespace
 
 std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
-                                          const std::function<bool(double)>& progress) {
+                                          const std::function<bool(double)>& progress,
+                                          const PictureCheckSettings& settings) {
   double furthest = 0.0;
   const std::function<bool(double)> onward = [&](double done) {
     furthest = std::max(furthest, done);
     return !progress || progress(furthest);
   };
-  return Checker(loaded, placement, shown, onward).check();
+  return Checker(loaded, placement, shown, onward, settings).check();
 }
 
 }  // namespace boxprobe

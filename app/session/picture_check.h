@@ -1,5 +1,5 @@
 // Whether placed probes make pictures better: small pictures from eyes in the rooms, with the scene's own probes and
-// with others, against the path tracer's. Called by `boxprobe place`.
+// with others, against the path tracer's. Called by `boxprobe place` and by the window's place panel.
 #pragma once
 
 #include <functional>
@@ -21,12 +21,33 @@ struct PictureErrors {
   double light = 1.0;   ///< mean over that of the truth
 };
 
+/// Errors of the eyes that stand in one room, as PictureErrors::error.
+struct RoomErrors {
+  bool seen = false;  ///< an eye stands in it; else both are 0
+  double before = 0.0, after = 0.0;
+};
+
+/// What an eye sees: linear colours, all of one size.
+struct EyePictures {
+  std::size_t room = 0;
+  Camera camera;
+  ImageRgbaF before, after, truth;
+};
+
 struct PictureCheck {
   std::size_t eyes = 0;
-  PictureErrors before, after;         ///< with the scene's own probes; with what is proposed
-  bool better = false;                 ///< false: nothing measured better, and the scene's own probes stay
-  std::vector<std::string> sentences;  ///< without full stop: what was tried, and what it brought
+  PictureErrors before, after;                     ///< with the scene's own probes; with what is proposed
+  bool better = false;                             ///< false: nothing measured better, and the scene's own probes stay
+  std::vector<std::string> sentences;              ///< without full stop: what was tried, and what it brought
+  std::vector<RoomErrors> rooms;                   ///< in the order of the placement's rooms
+  std::vector<EyePictures> views;                  ///< if asked for, and something is proposed
+  std::vector<std::optional<std::size_t>> viewOf;  ///< per probe of Placement::all(): the view that shows it best
   double seconds = 0.0;
+};
+
+struct PictureCheckSettings {
+  bool views = false;  ///< makes PictureCheck::views, 96 by 54 pixels, for those who review what is proposed
+  int paths = 96;      ///< per pixel of the truth that is measured against; half as many for the views
 };
 
 /// Tries `placement`, the same with more bounces and without the probes of parts of rooms, one box around all rooms,
@@ -34,6 +55,7 @@ struct PictureCheck {
 /// what the scene has, it leaves the scene's own probes as those kept. Captures are small ones, for all alike. Nothing
 /// if `progress` stopped it; without eyes or light no check, and a sentence that says so.
 std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
-                                          const std::function<bool(double)>& progress);
+                                          const std::function<bool(double)>& progress,
+                                          const PictureCheckSettings& settings = {});
 
 }  // namespace boxprobe

@@ -53,7 +53,10 @@ std::vector<Camera> eyesIn(const SurfaceRays& rays, const Rooms& rooms, const Ro
   const std::vector<Place> places = placesIn(rays, rooms.space, room);
   std::vector<Camera> eyes;
   std::vector<glm::dvec3> looks;
-  std::vector<double> away(places.size(), 1e300);
+  // The first one is near the middle: far from it are corners, niches and what is barely within the room.
+  std::vector<double> away;
+  const glm::dvec3 middle = rooms.space.worldFromGrid * room.extent.center();
+  for (const Place& place : places) away.push_back(1e12 - glm::length(place.eye - middle));
   while (eyes.size() < kRoomEyes && !places.empty()) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {

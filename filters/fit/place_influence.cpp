@@ -71,7 +71,34 @@ glm::dvec3 alongProbe(const FreeSpace& space, const glm::dvec3& normalGrid, cons
   return glm::transpose(rotationMatrix(probe.rotationDegrees)) * (space.worldFromGrid * normalGrid);
 }
 
+/// The sides of a box along a probe's axes on which its room is open to one of the other kind, indoors or outdoors,
+/// moved in to where that begins.
+Box keptApart(const Rooms& rooms, std::size_t room, const Probe& probe, Box along) {
+  for (const Doorway& doorway : rooms.doorways) {
+    if (doorway.a != room && doorway.b != room) continue;
+    if (rooms.rooms[doorway.a].outdoors == rooms.rooms[doorway.b].outdoors) continue;
+    const glm::dvec3 out = alongProbe(rooms.space, doorway.a == room ? doorway.normal : -doorway.normal, probe);
+    const glm::dvec3 size = glm::abs(out);
+    const int axis = size.x > std::max(size.y, size.z) ? 0 : size.y > size.z ? 1 : 2;
+    if (size[axis] < 0.8) continue;  // around a corner: no side of a box is there
+    const Box extent = extentOf(rooms.space, rooms.rooms[room].cells, rotationMatrix(probe.rotationDegrees));
+    if (out[axis] > 0.0) {
+      along.max[axis] = std::min(along.max[axis], extent.max[axis]);
+    } else {
+      along.min[axis] = std::max(along.min[axis], extent.min[axis]);
+    }
+  }
+  return along;
+}
+
 }  // namespace
+
+void keepApart(const Rooms& rooms, std::size_t room, Probe& probe) {
+  const Box before = alongAxes(probe.box, probe), along = keptApart(rooms, room, probe, before);
+  if (along == before) return;
+  const glm::dvec3 middle = rotationMatrix(probe.rotationDegrees) * along.center(), half = 0.5 * along.size();
+  probe.box = {middle - half, middle + half};
+}
 
 void setBoxAbout(Probe& probe, const FreeSpace& space, const std::vector<std::size_t>& cells,
                  const glm::dvec3& rotationDegrees) {
@@ -144,8 +171,10 @@ void setInfluences(const SurfaceRays& rays, const Rooms& rooms, std::vector<Plac
   const FreeSpace& space = rooms.space;
   const double skin = kSkin * rooms.region.height;
   std::vector<Box> walls;
-  for (const PlacedProbe& placed : probes) {
-    walls.push_back(wallsOf(rays, space, rooms.rooms[placed.room].cells, placed.probe));
+  for (PlacedProbe& placed : probes) {
+    keepApart(rooms, placed.room, placed.probe);
+    const Box found = wallsOf(rays, space, rooms.rooms[placed.room].cells, placed.probe);
+    walls.push_back(keptApart(rooms, placed.room, placed.probe, found));
   }
   for (std::size_t i = 0; i < probes.size(); ++i) {
     Probe& probe = probes[i].probe;
@@ -201,25 +230,59 @@ void setPartInfluence(const SurfaceRays& rays, const FreeSpace& space, const std
   ofPart.importance = ofRoom.importance + 1.0;
 }
 
+namespace {
+
+double volumeOf(const Box& box) {
+  const glm::dvec3 size = glm::max(box.size(), glm::dvec3(0.0));
+  return size.x * size.y * size.z;
+}
+
+/// The influence box of `other` along the axes of `probe`: its bounds, if it is rotated otherwise.
+Box influenceAlong(const Probe& probe, const Probe& other) {
+  if (other.rotationDegrees == probe.rotationDegrees) return alongAxes(other.influenceBox(), other);
+  Probe turned = other;
+  const Box upright = influenceBounds(other);
+  turned.rotationDegrees = probe.rotationDegrees;
+  return alongAxes(turnedInfluence(upright, turned), turned);
+}
+
+}  // namespace
+
+double influenceDistance(const Probe& probe, const glm::dvec3& world) {
+  const Box box = alongAxes(probe.influenceBox(), probe);
+  const glm::dvec3 p = glm::transpose(rotationMatrix(probe.rotationDegrees)) * world;
+  return glm::length(glm::max(glm::max(box.min - p, p - box.max), glm::dvec3(0.0)));
+}
+
+void reachOver(Probe& probe, const glm::dvec3& world, double skin) {
+  Box box = alongAxes(probe.influenceBox(), probe);
+  const glm::dvec3 p = glm::transpose(rotationMatrix(probe.rotationDegrees)) * world;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (p[axis] < box.min[axis] + skin) {
+      box.min[axis] = std::min(box.min[axis], p[axis] - 2.0 * skin);
+      probe.blendDistance.min[axis] = std::min(probe.blendDistance.min[axis], skin);
+    }
+    if (p[axis] > box.max[axis] - skin) {
+      box.max[axis] = std::max(box.max[axis], p[axis] + 2.0 * skin);
+      probe.blendDistance.max[axis] = std::min(probe.blendDistance.max[axis], skin);
+    }
+  }
+  probe.influence = asOfProbe(box, probe);
+}
+
+double sharedVolume(const Probe& a, const Probe& b) {
+  const Box first = alongAxes(a.influenceBox(), a), second = influenceAlong(a, b);
+  return volumeOf({glm::max(first.min, second.min), glm::min(first.max, second.max)});
+}
+
 std::vector<std::pair<std::size_t, std::size_t>> overlaps(const std::vector<PlacedProbe>& probes) {
   constexpr double kOverlap = 0.05;  // of the smaller volume
-  const auto volumeOf = [](const Box& box) {
-    const glm::dvec3 size = glm::max(box.size(), glm::dvec3(0.0));
-    return size.x * size.y * size.z;
-  };
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    const Box a = alongAxes(probes[i].probe.influenceBox(), probes[i].probe);
     for (std::size_t k = i + 1; k < probes.size(); ++k) {
-      // For boxes rotated against each other: bounds along the first one's axes.
-      Probe other = probes[k].probe;
-      const Box upright = influenceBounds(other);
-      other.rotationDegrees = probes[i].probe.rotationDegrees;
-      const Box b = other.rotationDegrees == probes[k].probe.rotationDegrees
-                        ? alongAxes(other.influenceBox(), other)
-                        : alongAxes(turnedInfluence(upright, other), other);
-      const double shared = volumeOf({glm::max(a.min, b.min), glm::min(a.max, b.max)});
-      if (shared > kOverlap * std::min(volumeOf(a), volumeOf(b))) pairs.emplace_back(i, k);
+      const double a = volumeOf(probes[i].probe.influenceBox());
+      const double b = volumeOf(influenceAlong(probes[i].probe, probes[k].probe));
+      if (sharedVolume(probes[i].probe, probes[k].probe) > kOverlap * std::min(a, b)) pairs.emplace_back(i, k);
     }
   }
   return pairs;

@@ -11,6 +11,7 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "filters/fit/place_cover.h"
 #include "filters/fit/place_eyes.h"
 #include "filters/fit/place_influence.h"
 #include "filters/fit/room_fit.h"
@@ -25,7 +26,8 @@ constexpr std::size_t kMostParts = 8;
 constexpr std::size_t kMostRanks = 8;  // of importance; a limit, should probes be above each other in a cycle
 constexpr double kLeastPart = 0.08;    // of its room's volume
 constexpr double kRoofed = 0.3, kLeastGloss = 0.02;
-constexpr double kLong = 1.5;  // rooms longer than this ratio are also tried in halves
+constexpr double kMostBare = 0.003;  // of what is seen; more gets a probe of its own
+constexpr double kLong = 1.5;        // rooms longer than this ratio are also tried in halves
 
 using Clock = std::chrono::steady_clock;
 
@@ -133,6 +135,7 @@ class Placer {
       placed.yawDegrees = glm::degrees(rooms_.region.yaw);
       placed.middleWorld = space.worldFromGrid * room.extent.center();
       placed.volume = room.volume;
+      placed.outdoors = room.outdoors;
       placed.parts = room.parts.size();
     }
     for (const Doorway& doorway : rooms_.doorways) {
@@ -262,6 +265,7 @@ class Placer {
       const std::optional<BoxFit> fit = roomFits_->fit(cells, part(from, from));
       if (!fit) return false;
       PlacedProbe candidate{fit->probe, room, true, 0.0, *fit};
+      keepApart(rooms_, room, candidate.probe);
       setPartInfluence(captured(), rooms_.space, cells, placement_.probes[first].probe, candidate.probe);
       candidates.push_back(std::move(candidate));
     }
@@ -301,12 +305,34 @@ class Placer {
     return true;
   }
 
+  void coverSeen() {
+    std::vector<PlacedProbe>& probes = placement_.probes;
+    std::vector<SeenPlace> seen = seenFromRooms(captured(), rooms_);
+    const auto unused = [&](const SeenPlace& place) { return !placement_.rooms[place.room].reflects; };
+    seen.erase(std::remove_if(seen.begin(), seen.end(), unused), seen.end());
+    placement_.bareBefore = bareShare(seen, scene_.probes);
+    growOverSeen(seen, placement_.kept, rooms_.region.height, probes, above_);
+    placement_.bareAfter = bareShare(seen, placement_.all());
+    if (placement_.bareAfter <= kMostBare || probes.empty() || full()) return;
+    std::optional<PlacedProbe> outside = surroundingsProbe(captured(), rooms_, seen, placement_.all());
+    if (!outside) return;
+    const double bare = placement_.bareAfter;
+    probes.push_back(*std::move(outside));
+    placement_.bareAfter = bareShare(seen, placement_.all());
+    probes.back().reason = sentence("for what is seen outside of the rooms: %.1f %% of all surfaces",
+                                    100.0 * (bare - placement_.bareAfter));
+  }
+
   /// Where influence boxes overlap, the more important probe is the one with which both rooms together have the smaller
   /// error.
   void setImportance() {
     std::vector<PlacedProbe>& probes = placement_.probes;
-    std::vector<std::pair<std::size_t, std::size_t>> above;  // the second above the first
+    std::vector<std::pair<std::size_t, std::size_t>> above = above_;  // the second above the first
+    const auto known = [&](std::size_t a, std::size_t b) {
+      return std::find(above_.begin(), above_.end(), std::pair(a, b)) != above_.end();
+    };
     for (const auto& [a, b] : overlaps(probes)) {
+      if (known(a, b) || known(b, a) || probes[a].surroundings || probes[b].surroundings) continue;
       if (probes[a].room == probes[b].room) {
         if (probes[a].part != probes[b].part) above.emplace_back(probes[a].part ? b : a, probes[a].part ? a : b);
         continue;
@@ -326,7 +352,12 @@ class Placer {
       if (std::min(first, second) > 0.99 * alike) continue;
       first < second ? above.emplace_back(b, a) : above.emplace_back(a, b);
     }
-    for (PlacedProbe& placed : probes) placed.probe.importance = 1.0;
+    for (PlacedProbe& placed : probes) placed.probe.importance = placed.surroundings ? 0.0 : 1.0;
+    for (const Probe& kept : placement_.kept) {
+      for (PlacedProbe& placed : probes) {
+        if (placed.surroundings) placed.probe.importance = std::min(placed.probe.importance, kept.importance - 1.0);
+      }
+    }
     for (std::size_t round = 0; round < above.size() && round < kMostRanks; ++round) {
       for (const auto& [low, high] : above) {
         double& importance = probes[high].probe.importance;
@@ -336,6 +367,7 @@ class Placer {
   }
 
   bool judge() {
+    coverSeen();
     setImportance();
     double volume = 0.0;
     const auto add = [](LitErrors& sum, const LitErrors& each, double weight) {
@@ -377,10 +409,16 @@ class Placer {
                      [](const PlacedProbe& a, const PlacedProbe& b) { return a.room < b.room; });
     std::vector<std::size_t> lit = held_;
     for (PlacedProbe& placed : placement_.probes) {
-      lit.push_back(placed.room);
+      if (!placed.surroundings) lit.push_back(placed.room);
       inheritSettings(scene_.probes, placed.probe);
     }
-    const std::vector<std::string> names = numberedRooms(roomsNamedByObjects(scene_, models_, rooms_), lit);
+    std::vector<std::string> stems = roomsNamedByObjects(scene_, models_, rooms_);
+    if (placement_.indoorsAndOutdoors()) {
+      for (std::size_t i = 0; i < stems.size(); ++i) {
+        if (stems[i].empty() && rooms_.rooms[i].outdoors) stems[i] = "outdoors";
+      }
+    }
+    const std::vector<std::string> names = numberedRooms(stems, lit);
     for (std::size_t i = 0; i < placement_.rooms.size(); ++i) {
       placement_.rooms[i].name = names[i];
       placement_.rooms[i].eyes = eyesIn(captured(), rooms_, rooms_.rooms[i]);
@@ -388,8 +426,10 @@ class Placer {
     }
     for (PlacedProbe& placed : placement_.probes) {
       const std::string& room = placement_.rooms[placed.room].name;
-      const auto sameRoom = std::count_if(placement_.probes.begin(), placement_.probes.end(),
-                                          [&](const PlacedProbe& each) { return each.room == placed.room; });
+      if (placed.surroundings) continue;
+      const auto sameRoom =
+          std::count_if(placement_.probes.begin(), placement_.probes.end(),
+                        [&](const PlacedProbe& each) { return each.room == placed.room && !each.surroundings; });
       if (sameRoom == 1) {
         placed.reason = "the only one of " + room;
       } else if (!placed.part) {
@@ -409,9 +449,10 @@ class Placer {
   ProbeFitter fitter_;
   Rooms rooms_;
   std::optional<RoomFitter> roomFits_;
-  std::vector<ReflectedRays> rays_;  ///< for choosing, one per room
-  std::vector<std::size_t> roomOf_;  ///< per cell; the number of rooms: none
-  std::vector<std::size_t> held_;    ///< rooms that contain a probe to keep
+  std::vector<ReflectedRays> rays_;                         ///< for choosing, one per room
+  std::vector<std::size_t> roomOf_;                         ///< per cell; the number of rooms: none
+  std::vector<std::size_t> held_;                           ///< rooms that contain a probe to keep
+  std::vector<std::pair<std::size_t, std::size_t>> above_;  ///< where influences grew: the second above the first
   Placement placement_;
 };
 
@@ -421,7 +462,12 @@ void nameProbes(Placement& placement) {
   Scene named;
   named.probes = placement.kept;
   for (PlacedProbe& placed : placement.probes) {
-    const auto inRoom = [&](const PlacedProbe& each) { return each.room == placed.room; };
+    if (placed.surroundings) {
+      placed.probe.name = unusedProbeName(named, "surroundings");
+      named.probes.push_back(placed.probe);
+      continue;
+    }
+    const auto inRoom = [&](const PlacedProbe& each) { return each.room == placed.room && !each.surroundings; };
     const auto sameRoom = std::count_if(placement.probes.begin(), placement.probes.end(), inRoom);
     std::string name = placement.rooms[placed.room].name;
     if (sameRoom > 1) {
@@ -437,6 +483,11 @@ std::vector<Probe> Placement::all() const {
   std::vector<Probe> together = kept;
   for (const PlacedProbe& placed : probes) together.push_back(placed.probe);
   return together;
+}
+
+bool Placement::indoorsAndOutdoors() const {
+  const auto outdoors = std::count_if(rooms.begin(), rooms.end(), [](const PlacedRoom& room) { return room.outdoors; });
+  return outdoors > 0 && static_cast<std::size_t>(outdoors) < rooms.size();
 }
 
 std::optional<Placement> placeProbes(const Scene& scene, const TriangleRays::Models& models,

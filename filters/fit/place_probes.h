@@ -20,12 +20,13 @@ struct PlaceSettings {
 
 /// A room in the report.
 struct PlacedRoom {
-  std::string name;  ///< "kitchen" if its objects are called so, else "room 1"
+  std::string name;  ///< "kitchen" if its objects are called so, else "room 1"; "outdoors" beside rooms with a ceiling
   Box extent;        ///< of its free space, along axes rotated by `yawDegrees` about the world's +y axis
   double yawDegrees = 0.0;
   glm::dvec3 middleWorld{0.0};
   double volume = 0.0;
   std::vector<Doorway> doorways;       ///< `a` is this room
+  bool outdoors = false;               ///< a court or garden
   bool reflects = true;                ///< false: it has no ceiling and only rough surfaces, and is ignored
   std::size_t parts = 1;               ///< number of parts between narrow places
   LitErrors before, after;             ///< with the scene's own probes; with the placed probes
@@ -35,15 +36,18 @@ struct PlacedRoom {
 };
 
 struct Placement {
-  std::vector<PlacedRoom> rooms;    ///< in order of decreasing size
-  std::vector<PlacedProbe> probes;  ///< in the order of the rooms
-  std::vector<Probe> kept;          ///< of the scene; all of them if there are no rooms
-  LitErrors before, after;          ///< of all rooms, weighted by volume
+  std::vector<PlacedRoom> rooms;             ///< in order of decreasing size
+  std::vector<PlacedProbe> probes;           ///< in the order of the rooms
+  std::vector<Probe> kept;                   ///< of the scene; all of them if there are no rooms
+  LitErrors before, after;                   ///< of all rooms, weighted by volume
+  double bareBefore = 0.0, bareAfter = 0.0;  ///< share of what is seen from the rooms that no probe lights
   std::vector<std::string> remarks;
   double cell = 0.0;  ///< cell size of the free space, scene units
   std::size_t cells = 0;
   double roomSeconds = 0.0, seconds = 0.0;
 
+  /// Are there rooms of both kinds? No box then goes around all of them.
+  bool indoorsAndOutdoors() const;
   /// The kept probes and the placed ones.
   std::vector<Probe> all() const;
 };

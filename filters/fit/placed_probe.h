@@ -13,7 +13,8 @@ struct PlacedProbe {
   bool part = false;         ///< covers a part of its room instead of all of it
   double gainDegrees = 0.0;  ///< reduction of the room's mean error when it was chosen
   BoxFit fit;
-  std::string reason = {};  ///< why it is there and what it gains; a sentence without a full stop
+  std::string reason = {};    ///< why it is there and what it gains; a sentence without a full stop
+  bool surroundings = false;  ///< for what is seen outside of all rooms; `room` is one that sees much of it
 };
 
 }  // namespace boxprobe

@@ -29,7 +29,8 @@ constexpr RoomWord kRoomWords[] = {
     {"nursery", "nursery"},        {"library", "library"},     {"lobby", "lobby"},
     {"classroom", "classroom"},    {"attic", "attic"},         {"basement", "basement"},
     {"cellar", "cellar"},          {"staircase", "staircase"}, {"balcony", "balcony"},
-    {"workshop", "workshop"},      {"office", "office"}};
+    {"workshop", "workshop"},      {"office", "office"},       {"garden", "garden"},
+    {"terrace", "terrace"},        {"patio", "patio"},         {"courtyard", "courtyard"}};
 
 /// " living room sofa " for "LivingRoom_Sofa.001".
 std::string words(const std::string& name) {

@@ -105,6 +105,7 @@ class GesturesTest : public WindowTest {
   }
   void placeAndApply() {
     auto* panel = window_->findChild<PlacePanel*>();
+    panel->setPaths(8);
     chord(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
     const auto* apply = window_->findChild<QPushButton*>("applyPlaced");
     ASSERT_TRUE(waitFor([&] { return !panel->running() && apply->isVisible(); }));

@@ -2,10 +2,12 @@
 // with the worst face, the picture beside the ray-traced reference, four views side by side, several probes selected,
 // a pixel explained, the light theme, a small screen, the menus, the other docks, a lesson's task and letters at 200 %.
 //   xvfb-run -a -s "-screen 0 3200x2000x24 -noreset" build/release/tests/gui/window_pictures
-// They are written to out/window, or to the folder that BOXPROBE_PICTURES names.
+// They are written to out/window, or to the folder that BOXPROBE_PICTURES names; of another scene than `building` with
+// BOXPROBE_PICTURES_SCENE.
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QLabel>
@@ -13,12 +15,16 @@
 #include <QMenuBar>
 #include <QProcess>
 #include <QProcessEnvironment>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QTest>
+#include <QToolButton>
 #include <cstdio>
 
 #include "app/gui/edit/probe_gauge.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/lessons/lesson_view.h"
+#include "app/gui/panels/place_panel.h"
 #include "app/gui/view/picture_compare.h"
 #include "app/gui/view/view_comparison.h"
 #include "app/gui/view/viewport.h"
@@ -32,7 +38,10 @@ namespace {
 
 class WindowPictures : public WindowTest {
  protected:
-  LoadedScene scene() const override { return loadScene(buildingPath()); }
+  LoadedScene scene() const override {
+    const QString other = qEnvironmentVariable("BOXPROBE_PICTURES_SCENE");
+    return loadScene(other.isEmpty() ? buildingPath() : other.toStdString());
+  }
   void size(int width, int height) {
     window_->resize(width, height);
     waitUntilIdle();
@@ -46,6 +55,28 @@ class WindowPictures : public WindowTest {
     std::printf("%s\n", path.toStdString().c_str());
   }
 };
+
+TEST_F(WindowPictures, Placed) {
+  size(1440, 900);
+  auto* panel = window_->findChild<PlacePanel*>();
+  key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(QTest::qWaitFor([panel] { return !panel->running(); }, 900000));
+  auto* apply = window_->findChild<QPushButton*>("applyPlaced");
+  for (QWidget* above = apply->parentWidget(); above != nullptr; above = above->parentWidget()) {
+    if (auto* area = qobject_cast<QScrollArea*>(above))
+      area->ensureWidgetVisible(window_->findChild<QWidget*>("placedProbes"), 0, 300);
+  }
+  keep("placed");
+  auto* thumbnail = window_->findChild<QToolButton*>("placedPicture0");
+  ASSERT_NE(thumbnail, nullptr);
+  thumbnail->click();
+  auto* dialog = window_->findChild<QDialog*>("placedPictures");
+  ASSERT_NE(dialog, nullptr);
+  QTest::qWait(200);
+  ASSERT_TRUE(
+      dialog->grab().save(QDir(qEnvironmentVariable("BOXPROBE_PICTURES", "out/window")).filePath("placed-large.png")));
+  dialog->close();
+}
 
 TEST_F(WindowPictures, AtOneToOne) {
   size(1440, 900);

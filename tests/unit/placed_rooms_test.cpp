@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <set>
 
 #include "filters/fit/place_probes.h"
@@ -132,6 +133,143 @@ TEST(PlacedRooms, ProbesReachTheFramesOfWindowsButNotTheGarden) {
   EXPECT_GT(probe.influenceBox().max.z - probe.blendDistance.max.z, 3.44) << "the pane has the full weight";
   EXPECT_LT(probe.influenceBox().max.z, 3.6) << "the garden has none";
   EXPECT_LT(probe.influenceBox().max.x, 2.7) << "nothing is behind that wall";
+}
+
+/// A lounge of 5.3 x 2.7 x 3.4 m, open at z = 0 to a walled garden of 5.3 x 4.7 m.
+MadeModel loungeAndGarden() {
+  MadeModel made;
+  const Box lounge{glm::dvec3(-2.4, 0, -3.4), glm::dvec3(2.9, 2.7, 0)},
+      garden{glm::dvec3(-2.4, 0, 0), glm::dvec3(2.9, 3.7, 4.7)};
+  for (const bool upper : {false, true}) {
+    made.side(lounge, 0, upper);
+    made.side(lounge, 1, upper);
+    made.side(garden, 0, upper);
+  }
+  made.side(lounge, 2, false);
+  made.side(garden, 2, true);
+  made.side(garden, 1, false);
+  made.side({glm::dvec3(-2.4, 2.7, 0), glm::dvec3(2.9, 3.7, 0)}, 2, false);  // above the opening
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  return made;
+}
+
+bool holds(const Box& box, const glm::dvec3& p) {
+  return glm::all(glm::greaterThan(p, box.min)) && glm::all(glm::lessThan(p, box.max));
+}
+
+TEST(PlacedRooms, IndoorsAndOutdoorsAreNeverInOneBox) {
+  const std::optional<Placement> placement = placedIn(loungeAndGarden().model);
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 2u);
+  EXPECT_TRUE(placement->indoorsAndOutdoors());
+  bool indoors = false;
+  for (const PlacedProbe& placed : placement->probes) {
+    const Box& box = placed.probe.box;
+    ASSERT_EQ(placed.probe.rotationDegrees, glm::dvec3(0.0));
+    EXPECT_FALSE(holds(box, {0.3, 1.3, -1.4}) && holds(box, {0.3, 1.3, 1.9})) << placed.probe.name;
+    EXPECT_EQ(placement->rooms[placed.room].outdoors, placed.probe.origin.z > 0.0) << placed.probe.name;
+    if (placement->rooms[placed.room].outdoors) continue;
+    indoors = true;
+    EXPECT_LT(placed.probe.influenceBox().max.z, 0.5) << "the garden is not lit by the lounge";
+  }
+  EXPECT_TRUE(indoors);
+}
+
+TEST(PlacedRooms, AHoleInTheRoofIsNoGarden) {
+  // A hall of 7.3 x 3.1 x 5.7 m with a skylight of 1.7 x 1.5 m.
+  MadeModel made;
+  const Box hall{glm::dvec3(-3.4, 0, -2.6), glm::dvec3(3.9, 3.1, 3.1)};
+  for (const int axis : {0, 2}) {
+    made.side(hall, axis, false);
+    made.side(hall, axis, true);
+  }
+  made.side(hall, 1, false);
+  for (const Box& piece : {Box{glm::dvec3(-3.4, 3.1, -2.6), glm::dvec3(-0.6, 3.1, 3.1)},
+                           Box{glm::dvec3(1.1, 3.1, -2.6), glm::dvec3(3.9, 3.1, 3.1)},
+                           Box{glm::dvec3(-0.6, 3.1, -2.6), glm::dvec3(1.1, 3.1, -0.4)},
+                           Box{glm::dvec3(-0.6, 3.1, 1.1), glm::dvec3(1.1, 3.1, 3.1)}}) {
+    made.side(piece, 1, true);
+  }
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 1u);
+  EXPECT_FALSE(placement->rooms[0].outdoors);
+  EXPECT_GT(placement->rooms[0].volume, 0.8 * 7.3 * 3.1 * 5.7);
+}
+
+/// Does a probe that is not rotated have any weight there?
+bool lights(const Probe& probe, const glm::dvec3& p) {
+  EXPECT_EQ(probe.rotationDegrees, glm::dvec3(0.0));
+  return holds(probe.influenceBox(), p);
+}
+
+TEST(PlacedRooms, InfluencesGrowOverDeepNichesAndBoxesDoNot) {
+  // A room of 4.2 x 2.7 x 3.5 m with a slot in its wall at x = 0, 0.3 m high, 0.5 m wide and 1.2 m deep.
+  MadeModel made;
+  const Box room{glm::dvec3(-4.2, 0, -1.6), glm::dvec3(0, 2.7, 1.9)},
+      slot{glm::dvec3(0, 1.1, -0.2), glm::dvec3(1.2, 1.4, 0.3)};
+  for (const int axis : {1, 2}) {
+    for (const bool upper : {false, true}) {
+      made.side(room, axis, upper);
+      made.side(slot, axis, upper);
+    }
+  }
+  made.side(room, 0, false);
+  made.side(slot, 0, true);
+  for (const Box& piece :
+       {Box{glm::dvec3(0, 0, -1.6), glm::dvec3(0, 2.7, -0.2)}, Box{glm::dvec3(0, 0, 0.3), glm::dvec3(0, 2.7, 1.9)},
+        Box{glm::dvec3(0, 0, -0.2), glm::dvec3(0, 1.1, 0.3)},
+        Box{glm::dvec3(0, 1.4, -0.2), glm::dvec3(0, 2.7, 0.3)}}) {
+    made.side(piece, 0, true);
+  }
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 1u);
+  ASSERT_FALSE(placement->probes.empty());
+  const Probe& probe = placement->probes.front().probe;
+  EXPECT_NEAR(probe.box.max.x, 0.0, 0.15) << "the box follows the wall";
+  EXPECT_TRUE(lights(probe, {1.05, 1.1, 0.1})) << "the slot's floor";
+  EXPECT_LT(placement->bareAfter, 0.005);
+}
+
+TEST(PlacedRooms, WhatIsSeenOutsideHasAProbeBelowAllOthers) {
+  // A room of 4.7 x 2.7 x 3.4 m with a door to a lawn, where a wall stands 7 m away.
+  MadeModel made;
+  const Box room{glm::dvec3(-2.1, 0, -3.4), glm::dvec3(2.6, 2.7, 0)};
+  for (const int axis : {0, 1}) {
+    made.side(room, axis, false);
+    made.side(room, axis, true);
+  }
+  made.side(room, 2, false);
+  for (const bool inside : {true, false}) {
+    const double z = inside ? 0.0 : 0.2;
+    for (const Box& piece :
+         {Box{glm::dvec3(-2.1, 0, z), glm::dvec3(-0.3, 2.7, z)}, Box{glm::dvec3(1.2, 0, z), glm::dvec3(2.6, 2.7, z)},
+          Box{glm::dvec3(-0.3, 2.2, z), glm::dvec3(1.2, 2.7, z)}}) {
+      made.side(piece, 2, true, inside);
+    }
+  }
+  made.box({glm::dvec3(-6, 0, 7.2), glm::dvec3(8, 3, 7.5)}, false);
+  made.quad({-25, -0.05f, 25}, {25, -0.05f, 25}, {25, -0.05f, 0.2f}, {-25, -0.05f, 0.2f});
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  const auto outside = std::find_if(placement->probes.begin(), placement->probes.end(),
+                                    [](const PlacedProbe& each) { return each.surroundings; });
+  ASSERT_NE(outside, placement->probes.end());
+  EXPECT_EQ(outside->probe.name, "surroundings");
+  EXPECT_GT(outside->probe.origin.z, 0.2) << "it is captured outside";
+  EXPECT_TRUE(lights(outside->probe, {0.5, -0.05, 3.0}));
+  EXPECT_TRUE(lights(outside->probe, {0.5, 1.4, 7.2}));
+  for (const PlacedProbe& each : placement->probes) {
+    if (each.surroundings) continue;
+    EXPECT_GT(each.probe.importance, outside->probe.importance) << each.probe.name;
+  }
+  EXPECT_LT(placement->bareAfter, 0.005);
 }
 
 TEST(PlacedRooms, ProbesAreCapturedAsTheScenesOwn) {

@@ -99,6 +99,8 @@ nlohmann::ordered_json placeJson(const Placement& placement, const PictureCheck*
           {"kept", kept},
           {"before", litErrorsJson(placement.before)},
           {"after", litErrorsJson(placement.after)},
+          {"bareBefore", placement.bareBefore},
+          {"bareAfter", placement.bareAfter},
           {"remarks", placement.remarks},
           {"cell", placement.cell},
           {"cells", placement.cells},
@@ -119,6 +121,9 @@ std::string placeText(const Placement& placement, const PictureCheck* pictures) 
       text += (&doorway == &room.doorways.front() ? ", open to " : ", ") + placement.rooms[doorway.b].name;
     }
     text += row("\n  error %.3f -> %.3f degrees", room.before.meanDegrees, room.after.meanDegrees);
+    if (pictures != nullptr && i < pictures->rooms.size() && pictures->rooms[i].seen) {
+      text += row("; of its pictures %.3f -> %.3f", pictures->rooms[i].before, pictures->rooms[i].after);
+    }
     for (const std::string& decision : room.decisions) text += "; " + decision;
     text += "\n";
     for (const PlacedProbe& placed : placement.probes) {
@@ -138,6 +143,8 @@ std::string placeText(const Placement& placement, const PictureCheck* pictures) 
               placement.roomSeconds, placement.cells, placement.cell);
   text += "error with the scene's own probes: " + shareText(placement.before) + "\n";
   text += "error with these:                  " + shareText(placement.after) + "\n";
+  text += row("surfaces seen from the rooms that no probe lights: %.2f %% -> %.2f %%\n", 100.0 * placement.bareBefore,
+              100.0 * placement.bareAfter);
   if (pictures != nullptr) text += picturesText(*pictures);
   return text;
 }

@@ -5,13 +5,17 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QStringList>
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/gui/panels/placed_list.h"
+#include "app/gui/view/display_image.h"
+#include "app/gui/view/picture_difference.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/session/offscreen_scene.h"
+#include "filters/core/base/errors.h"
 
 namespace boxprobe {
 
@@ -25,14 +29,32 @@ QString errorText(double degrees) {
 QString roomText(const Placement& placement, const PlacedProbe& placed) {
   const PlacedRoom& room = placement.rooms[placed.room];
   const glm::dvec3 size = room.extent.size();
-  QStringList lines = {QString::fromStdString(placed.reason), PlacePanel::tr("%1: %2 x %3 x %4")
-                                                                  .arg(QString::fromStdString(room.name))
-                                                                  .arg(size.x, 0, 'f', 2)
-                                                                  .arg(size.y, 0, 'f', 2)
-                                                                  .arg(size.z, 0, 'f', 2)};
+  QStringList lines = {PlacePanel::tr("%1: %2 x %3 x %4")
+                           .arg(QString::fromStdString(room.name))
+                           .arg(size.x, 0, 'f', 2)
+                           .arg(size.y, 0, 'f', 2)
+                           .arg(size.z, 0, 'f', 2),
+                       PlacePanel::tr("error %1, %2 % hidden")
+                           .arg(errorText(placed.fit.after.meanDegrees))
+                           .arg(100.0 * placed.fit.hidden, 0, 'f', 0)};
   for (const std::string& decision : room.decisions) lines += QString::fromStdString(decision);
   for (const std::string& remark : placed.fit.remarks) lines += QString::fromStdString(remark);
   return lines.join("\n");
+}
+
+QString changeText(double before, double after) {
+  QString text = QString("%1 \u2192 %2").arg(before, 0, 'f', 3).arg(after, 0, 'f', 3);
+  if (before > 0.0) text += PlacePanel::tr(" (%1 %)").arg(qRound(100.0 * (after / before - 1.0)));
+  return text;
+}
+
+PlacedPictures displayed(const EyePictures& view, const Scene& scene) {
+  PlacedPictures shown;
+  const auto image = [&](const ImageRgbaF& linear) { return displayImage(linear, scene.exposure, scene.tone); };
+  const QImage before = image(view.before), after = image(view.after), truth = image(view.truth);
+  shown.images = {before, after, truth, pictureDifference(before, truth).picture,
+                  pictureDifference(after, truth).picture};
+  return shown;
 }
 
 /// In all that rooms and probes follow from: the exposure, say, may be another one.
@@ -50,7 +72,7 @@ PlacePanel::PlacePanel(Editor& editor, QWidget* parent)
       discard_(new QPushButton(tr("Discard"), this)),
       errors_(new QLabel(this)),
       remarks_(helpLabel(this)),
-      list_(new QListWidget(this)),
+      list_(new PlacedList(this)),
       replace_(new QCheckBox(tr("Replace the probes there are"), this)),
       review_(new QWidget(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -58,8 +80,8 @@ PlacePanel::PlacePanel(Editor& editor, QWidget* parent)
   QFormLayout* form = addSection(this, tr("Place"));
   place_->setObjectName("placeProbes");
   place_->setToolTip(
-      tr("Finds the rooms of the scene and places a fitted probe in each, and more where they gain "
-         "(Ctrl+Shift+F)"));
+      tr("Finds the rooms of the scene, places fitted probes in them, and proposes what makes pictures better by the "
+         "path tracer's measure (Ctrl+Shift+F)"));
   form->addRow(place_);
   form->addRow(remarks_);
   form->addRow(review_);
@@ -69,14 +91,9 @@ PlacePanel::PlacePanel(Editor& editor, QWidget* parent)
   errors_->setObjectName("placeErrors");
   errors_->setWordWrap(true);
   errors_->setToolTip(
-      tr("Angle between what reflections look up and what they should, as the probes are blended; "
-         "without a probe 20 degrees"));
+      tr("Relative error of the light in pictures of the rooms, before and after; mirrors count four times. "
+         "0 is what the path tracer draws"));
   rows->addWidget(errors_);
-  list_->setObjectName("placedProbes");
-  list_->setToolTip(tr("Untick what shall not be placed"));
-  list_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the column is no wider for it
-  list_->setMaximumHeight(140);
-  rows->addWidget(list_);
   replace_->setObjectName("replaceProbes");
   replace_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   rows->addWidget(replace_);
@@ -85,13 +102,15 @@ PlacePanel::PlacePanel(Editor& editor, QWidget* parent)
   discard_->setObjectName("discardPlaced");
   buttons->addWidget(apply_);
   buttons->addWidget(discard_);
-  rows->addLayout(buttons);
+  rows->addLayout(buttons);  // above the list, which may be long
+  list_->setObjectName("placedProbes");
+  rows->addWidget(list_);
 
   connect(place_, &QPushButton::clicked, this, &PlacePanel::place);
   connect(apply_, &QPushButton::clicked, this, &PlacePanel::apply);
   connect(discard_, &QPushButton::clicked, this, &PlacePanel::discard);
-  connect(list_, &QListWidget::itemChanged, this, [this] {
-    if (result_) emit ghostsChanged(accepted());
+  connect(list_, &PlacedList::changed, this, [this] {
+    if (result_) emit ghostsChanged(ghosts());
     refresh();
   });
   connect(&work_, &BackgroundWork::progressed, this, &PlacePanel::refresh);
@@ -111,58 +130,124 @@ void PlacePanel::place() {
   if (models_.empty()) return;
   discard();
   given_ = editor_.scene();
-  work_.start([this, scene = given_, models = models_](const BackgroundWork::Progress& progress) {
-    std::optional<Placement> placement = placeProbes(scene, models, {}, progress);
+  work_.start([this, scene = given_, models = models_, paths = paths_](const BackgroundWork::Progress& progress) {
+    constexpr double kPlacing = 0.3;  // of the time, as rooms and pictures usually share it
     BackgroundWork::Finish finish;
-    if (placement) finish = [this, placed = *std::move(placement)] { review(placed); };
+    std::optional<Placement> placement =
+        placeProbes(scene, models, {}, [&](double done) { return progress(kPlacing * done); });
+    if (!placement) return finish;
+    Result result{*std::move(placement), {}, {}};
+    if (!result.placement.rooms.empty()) {
+      LoadedScene loaded;
+      loaded.scene = scene;
+      loaded.models = models;
+      OffscreenSettings settings;
+      settings.command = "boxprobe";
+      settings.beside = true;
+      PictureCheckSettings wanted;
+      wanted.views = true;
+      wanted.paths = paths;
+      try {
+        OffscreenScene hidden(settings);
+        result.pictures = checkPictures(
+            loaded, result.placement, hidden, [&](double done) { return progress(kPlacing + (1.0 - kPlacing) * done); },
+            wanted);
+        if (!result.pictures) return finish;
+        nameProbes(result.placement);
+      } catch (const InputError& error) {
+        result.notCompared = tr("Pictures were not compared: %1").arg(QString::fromUtf8(error.what()));
+      }
+    }
+    finish = [this, result = std::move(result)] { review(result); };
     return finish;
   });
   refresh();
 }
 
-void PlacePanel::review(Placement placement) {
+void PlacePanel::review(Result result) {
   if (!alike(editor_.scene(), given_)) {
     emit message(tr("The scene changed meanwhile: place again"));
     return;
   }
+  const Placement& placement = result.placement;
+  const PictureCheck* pictures = result.pictures ? &*result.pictures : nullptr;
   QStringList lines;
   for (const std::string& remark : placement.remarks) lines += QString::fromStdString(remark);
-  remarks_->setText(lines.join(". "));
-  result_ = std::move(placement);
-  {
-    const QSignalBlocker quiet(list_);
-    list_->clear();
-    for (const PlacedProbe& placed : result_->probes) {
-      auto* item = new QListWidgetItem(QString::fromStdString(placed.probe.name) + ": " +
-                                       tr("error %1, %2 % hidden")
-                                           .arg(errorText(placed.fit.after.meanDegrees))
-                                           .arg(100.0 * placed.fit.hidden, 0, 'f', 0));
-      item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-      item->setCheckState(Qt::Checked);
-      item->setToolTip(roomText(*result_, placed));
-      list_->addItem(item);
-    }
+  if (!result.notCompared.isEmpty()) lines += result.notCompared;
+  const bool told = pictures != nullptr && !pictures->sentences.empty();
+  if (told && (!pictures->better || pictures->eyes == 0)) {
+    lines += QString::fromStdString(pictures->sentences.back());
   }
-  replace_->setVisible(!given_.probes.empty());
-  replace_->setChecked(!given_.probes.empty());
-  errors_->setText(tr("%1 rooms, mean error %2")
-                       .arg(result_->rooms.size())
-                       .arg(errorText(result_->before.meanDegrees) + QString::fromUtf8(" \u2192 ") +
-                            errorText(result_->after.meanDegrees)));
-  emit ghostsChanged(accepted());
+  remarks_->setText(lines.join(". "));
+
+  std::vector<Proposed> proposed;
+  std::vector<PlacedEntry> entries;
+  const auto propose = [&](const Probe& probe, bool own, std::size_t index, const QString& reason,
+                           const QString& details) {
+    PlacedEntry entry;
+    entry.name = QString::fromStdString(probe.name);
+    entry.reason = reason;
+    entry.details = details;
+    if (pictures != nullptr && index < pictures->viewOf.size() && pictures->viewOf[index]) {
+      const EyePictures& view = pictures->views[*pictures->viewOf[index]];
+      const RoomErrors& room = pictures->rooms[view.room];
+      entry.gain =
+          tr("Error of %1 %2")
+              .arg(QString::fromStdString(placement.rooms[view.room].name), changeText(room.before, room.after));
+      entry.pictures = displayed(view, given_);
+    }
+    entries.push_back(std::move(entry));
+    proposed.push_back({probe, own});
+  };
+  for (std::size_t i = 0; i < placement.kept.size(); ++i) {
+    const Probe& kept = placement.kept[i];
+    const auto before = findProbe(given_, kept.name);
+    if (before && given_.probes[*before] == kept) continue;
+    propose(kept, true, i, tr("As it is, but with %1 bounces of light").arg(kept.bounces), {});
+  }
+  for (std::size_t i = 0; i < placement.probes.size(); ++i) {
+    const PlacedProbe& placed = placement.probes[i];
+    propose(placed.probe, false, placement.kept.size() + i, QString::fromStdString(placed.reason),
+            roomText(placement, placed));
+  }
+  list_->show(entries);
+  bool allOwn = true;
+  for (const Proposed& each : proposed) allOwn = allOwn && each.own;
+  replace_->setVisible(!given_.probes.empty() && !allOwn);
+  replace_->setChecked(!given_.probes.empty() && !allOwn);
+  if (pictures != nullptr && pictures->eyes > 0 && pictures->before.error > 0.0) {
+    errors_->setText(
+        tr("%1 rooms. Error of pictures against the path tracer's: %2. Light: %3 of the truth's, before %4")
+            .arg(placement.rooms.size())
+            .arg(changeText(pictures->before.error, pictures->after.error))
+            .arg(pictures->after.light, 0, 'f', 2)
+            .arg(pictures->before.light, 0, 'f', 2));
+  } else {
+    errors_->setText(tr("%1 rooms. Mean error of lookups, pictures not compared: %2 \u2192 %3")
+                         .arg(placement.rooms.size())
+                         .arg(errorText(placement.before.meanDegrees), errorText(placement.after.meanDegrees)));
+  }
+  result_ = std::move(proposed);
+  emit ghostsChanged(ghosts());
 }
 
-std::vector<Probe> PlacePanel::accepted() const {
-  std::vector<Probe> probes;
-  for (std::size_t i = 0; i < result_->probes.size(); ++i) {
-    if (list_->item(static_cast<int>(i))->checkState() == Qt::Checked) probes.push_back(result_->probes[i].probe);
+std::vector<PlacePanel::Proposed> PlacePanel::accepted() const {
+  std::vector<Proposed> probes;
+  for (std::size_t i = 0; i < result_->size(); ++i) {
+    if (list_->ticked(i)) probes.push_back((*result_)[i]);
   }
+  return probes;
+}
+
+std::vector<Probe> PlacePanel::ghosts() const {
+  std::vector<Probe> probes;
+  for (const Proposed& each : accepted()) probes.push_back(each.probe);
   return probes;
 }
 
 void PlacePanel::apply() {
   if (!result_) return;
-  const std::vector<Probe> placed = accepted();
+  const std::vector<Proposed> placed = accepted();
   if (placed.empty()) return;
   const bool replace = replace_->isChecked();
   discard();
@@ -170,10 +255,16 @@ void PlacePanel::apply() {
   editor_.commit(tr("Place %1 probes").arg(placed.size()), [&](Scene& scene) {
     if (replace) scene.probes.clear();
     first.clear();
-    for (Probe probe : placed) {
-      probe.name = unusedProbeName(scene, probe.name);
+    for (const Proposed& each : placed) {
+      Probe probe = each.probe;
+      const auto own = each.own ? findProbe(scene, probe.name) : std::nullopt;
+      if (!own) probe.name = unusedProbeName(scene, probe.name);
       if (first.empty()) first = probe.name;
-      scene.probes.push_back(std::move(probe));
+      if (own) {
+        scene.probes[*own] = std::move(probe);
+      } else {
+        scene.probes.push_back(std::move(probe));
+      }
     }
   });
   editor_.selectProbe(findProbe(editor_.scene(), first));
@@ -194,7 +285,7 @@ void PlacePanel::update() {
 void PlacePanel::refresh() {
   place_->setText(running() ? tr("Stop (%1 %)").arg(work_.percent()) : tr("Place probes"));
   place_->setEnabled(running() || !models_.empty());
-  const bool placed = result_ && !result_->probes.empty();
+  const bool placed = result_ && !result_->empty();
   review_->setVisible(placed);
   apply_->setEnabled(placed && !accepted().empty());
   remarks_->setVisible(!remarks_->text().isEmpty());

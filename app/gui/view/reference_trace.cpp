@@ -3,15 +3,14 @@
 
 #include <QMetaObject>
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <functional>
 #include <iterator>
 
+#include "app/gui/view/display_image.h"
 #include "app/session/load_scene.h"
 #include "filters/core/base/scope_exit.h"
 #include "filters/core/scene/bounces.h"
-#include "filters/math/shared/display_math.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/path/reference_path.h"
 
@@ -27,20 +26,6 @@ struct TracePass {
 constexpr TracePass kTracePasses[] = {{8, 8}, {4, 16}, {2, 32}, {1, 64}, {1, 256}};
 /// Of diffuse light: its noise is shown as an error.
 constexpr TracePass kDiffusePasses[] = {{4, 64}, {2, 64}, {1, 64}, {1, 256}};
-
-QImage displayImage(const ImageRgbaF& linear, double exposure, Tone tone) {
-  QImage image(linear.width, linear.height, QImage::Format_RGB32);
-  std::size_t at = 0;
-  for (int y = 0; y < linear.height; ++y) {
-    auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
-    for (int x = 0; x < linear.width; ++x, at += 4) {
-      const float* p = &linear.pixels[at];
-      const std::array<std::uint8_t, 3> shown = displayBytes({p[0], p[1], p[2]}, exposure, tone);
-      row[x] = qRgb(shown[0], shown[1], shown[2]);
-    }
-  }
-  return image;
-}
 
 }  // namespace
 

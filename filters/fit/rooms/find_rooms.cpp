@@ -62,7 +62,7 @@ class Watershed {
       std::size_t into = kNone;
       double most = 0.0;
       for (const auto& [other, opening] : basins_[smallest].openings) {
-        if (opening.faces > most) into = other, most = opening.faces;
+        if (opening.faces > most && alikeOutdoors(smallest, other)) into = other, most = opening.faces;
       }
       if (into == kNone) {
         alone[smallest] = true;
@@ -88,7 +88,7 @@ class Watershed {
       double most = kOneRoom;
       for (std::size_t a = 0; a < basins_.size(); ++a) {
         for (const auto& [b, opening] : basins_[a].openings) {
-          if (b < a) continue;
+          if (b < a || !alikeOutdoors(a, b)) continue;
           const auto [share, added] = known.try_emplace({a, b}, 0.0);
           if (added) share->second = isDoor(a, b, opening) ? 0.0 : openShare(a, b, opening);
           if (share->second > most) widest = {a, b}, most = share->second;
@@ -126,6 +126,7 @@ class Watershed {
       Room room;
       room.extent = extentOf(space_, basin.cells, space_.worldFromGrid);
       room.volume = each * static_cast<double>(basin.cells.size());
+      room.outdoors = space_.outdoors(basin.cells.front());
       for (const std::size_t cell : basin.cells) room.roofed += space_.open[cell] >> FreeSpace::kCeilingBit & 1;
       room.roofed /= static_cast<double>(basin.cells.size());
       for (const std::size_t part : basin.parts) room.parts.push_back(std::move(parts_[part]));
@@ -157,7 +158,7 @@ class Watershed {
       std::size_t deepest = kNone;
       for (int side = 0; side < 6; ++side) {
         const std::optional<std::size_t> other = space_.neighbour(cell, side / 2, side % 2 == 1);
-        if (!other || label_[*other] == kNone) continue;
+        if (!other || label_[*other] == kNone || space_.outdoors(*other) != space_.outdoors(cell)) continue;
         if (deepest == kNone || space_.depth[*other] > space_.depth[deepest]) deepest = *other;
       }
       if (deepest == kNone) {
@@ -169,12 +170,17 @@ class Watershed {
       label_[cell] = label_[deepest];
       for (int side = 0; side < 6; ++side) {
         const std::optional<std::size_t> other = space_.neighbour(cell, side / 2, side % 2 == 1);
-        if (!other || label_[*other] == kNone) continue;
+        if (!other || label_[*other] == kNone || space_.outdoors(*other) != space_.outdoors(cell)) continue;
         const std::size_t a = root(label_[cell]), b = root(label_[*other]);
         if (a == b || space_.depth[cell] < kRipple * std::min(peaks[a], peaks[b])) continue;
         above_[std::max(a, b)] = std::min(a, b);  // the older one has the higher peak
       }
     }
+  }
+
+  /// All cells of a basin are of one kind.
+  bool alikeOutdoors(std::size_t a, std::size_t b) const {
+    return space_.outdoors(basins_[a].cells.front()) == space_.outdoors(basins_[b].cells.front());
   }
 
   std::size_t root(std::size_t label) {

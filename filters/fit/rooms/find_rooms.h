@@ -12,6 +12,7 @@ struct Room {
   Box extent;                                   ///< of the cells, along the grid's axes
   double volume = 0.0;                          ///< scene units cubed
   double roofed = 0.0;                          ///< share of the cells with a ceiling
+  bool outdoors = false;                        ///< a court or garden: as FreeSpace::outdoors() of each of its cells
 };
 
 /// A passage between two rooms.
@@ -40,7 +41,8 @@ struct RoomSettings {
 
 /// Watershed on the distance to the nearest surface. Two basins form one room if the opening is more than a quarter of
 /// the wall between them and is not a door: doors are small and below a lintel. Rooms are at least 0.45 times the usual
-/// height, cubed. No rooms without upright surfaces. Nothing if `progress` stopped it. Deterministic.
+/// height, cubed. What is outdoors is never one room with what is indoors. No rooms without upright surfaces. Nothing
+/// if `progress` stopped it. Deterministic.
 std::optional<Rooms> findRooms(const SurfaceRays& rays, const RoomSettings& settings = {},
                                const std::function<bool(double)>& progress = {});
 

@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <utility>
 
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/fit/box/face_planes.h"
@@ -109,6 +110,7 @@ namespace {
 struct CellView {
   std::uint8_t met = 0, backs = 0;  ///< of 18 directions
   std::uint8_t near = 0;            ///< of the 18: no farther than the walls of a court are
+  std::uint8_t above = 0;           ///< met of the five directions that lead up
   bool floor = false, ceiling = false;
   float nearest = std::numeric_limits<float>::infinity();
 };
@@ -188,6 +190,7 @@ class Grid {
       at += hit->distance + skin_;
       crossings_.push_back({at, hit->back});
     }
+    const bool level = step.y == 0, rising = step.y > 0;
     const int straight = step.x + step.y + step.z == 1 ? (step.x != 0 ? 0 : step.y != 0 ? 1 : 2) : -1;
     std::size_t next = 0;
     double position = 0.0;
@@ -202,6 +205,7 @@ class Grid {
         view.backs = static_cast<std::uint8_t>(view.backs + (behind.back ? 0 : 1));
         view.nearest = std::min(view.nearest, static_cast<float>(position - behind.at));
         if (straight == 1) view.floor = true;
+        if (!level && !rising) ++view.above;
       }
       const bool more = next < crossings_.size();
       if (more) {
@@ -210,6 +214,7 @@ class Grid {
         view.backs = static_cast<std::uint8_t>(view.backs + (crossings_[next].back ? 1 : 0));
         view.nearest = std::min(view.nearest, static_cast<float>(crossings_[next].at - position));
         if (straight == 1) view.ceiling = true;
+        if (rising) ++view.above;
       }
       if (straight >= 0 && (!more || crossings_[next].at > position + pitch)) {
         space_.open[index] = static_cast<std::uint8_t>(space_.open[index] | 1 << straight);
@@ -246,6 +251,91 @@ void fillHoles(FreeSpace& space, const std::vector<CellView>& views) {
       if (about >= kLeast) filled.push_back(i);
     }
     for (const std::size_t i : filled) space.depth[i] = std::min(views[i].nearest, 1e30f);
+  }
+}
+
+/// Per cell, the share of the air around it, up to half of the rooms' height away and not behind walls, that has a
+/// ceiling: rafters are no roof, and a beam's width of sky is no garden.
+std::vector<float> roofShares(const FreeSpace& space, double height) {
+  std::vector<float> shares(space.depth.size(), 0.0f);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    shares[i] = static_cast<float>(space.open[i] >> FreeSpace::kCeilingBit & 1);
+  }
+  const int reach = std::max(1, static_cast<int>(std::lround(0.5 * height / space.cell)));
+  for (const int axis : {0, 2}) {
+    std::vector<float> mean(shares.size(), 0.0f);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      if (!(space.depth[i] > 0.0f)) continue;
+      double sum = shares[i], count = 1.0;
+      for (const bool forward : {false, true}) {
+        std::size_t at = i;
+        for (int step = 0; step < reach; ++step) {
+          const std::optional<std::size_t> next = space.neighbour(at, axis, forward);
+          if (!next) break;
+          at = *next;
+          sum += shares[at];
+          count += 1.0;
+        }
+      }
+      mean[i] = static_cast<float>(sum / count);
+    }
+    shares = std::move(mean);
+  }
+  return shares;
+}
+
+/// Marks what is outdoors: spaces without a ceiling from which much of the sky is seen. A space that opens to roofed
+/// ones all around, and is smaller than they are, is a part of them below a hole in the roof or a skylight.
+void markOutdoors(FreeSpace& space, const std::vector<CellView>& views, double height) {
+  constexpr double kSky = 0.4, kHole = 0.5;  // of the upward directions; of the sides
+  constexpr int kUpward = 5;
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  const std::vector<float> shares = roofShares(space, height);
+  const auto roofed = [&](std::size_t i) { return shares[i] >= 0.5f; };
+  struct Part {
+    std::vector<std::size_t> cells;
+    double sky = 0.0, sides = 0.0;
+    std::vector<std::size_t> beside;  // roofed cells
+  };
+  // Connected cells that are alike in having a ceiling.
+  std::vector<std::size_t> partOf(views.size(), kNone);
+  std::vector<Part> parts;
+  for (std::size_t first = 0; first < views.size(); ++first) {
+    if (!(space.depth[first] > 0.0f) || partOf[first] != kNone) continue;
+    const std::size_t number = parts.size();
+    Part part;
+    part.cells.push_back(first);
+    partOf[first] = number;
+    for (std::size_t k = 0; k < part.cells.size(); ++k) {
+      const std::size_t cell = part.cells[k];
+      part.sky += 1.0 - static_cast<double>(views[cell].above) / kUpward;
+      for (int side = 0; side < 6; ++side) {
+        const std::optional<std::size_t> other = space.neighbour(cell, side / 2, side % 2 == 1);
+        const bool alike = other && roofed(*other) == roofed(first);
+        if (alike && partOf[*other] == kNone) {
+          partOf[*other] = number;
+          part.cells.push_back(*other);
+        }
+        if (alike || side / 2 == 1) continue;
+        part.sides += 1.0;
+        if (other) part.beside.push_back(*other);
+      }
+    }
+    parts.push_back(std::move(part));
+  }
+  for (const Part& part : parts) {
+    const auto cells = static_cast<double>(part.cells.size());
+    if (roofed(part.cells.front()) || part.sky < kSky * cells) continue;
+    std::vector<std::size_t> numbers;
+    for (const std::size_t cell : part.beside) numbers.push_back(partOf[cell]);
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    double around = 0.0;
+    for (const std::size_t number : numbers) around += static_cast<double>(parts[number].cells.size());
+    if (static_cast<double>(part.beside.size()) > kHole * part.sides && around > cells) continue;
+    for (const std::size_t cell : part.cells) {
+      space.open[cell] = static_cast<std::uint8_t>(space.open[cell] | 1 << FreeSpace::kOutdoorsBit);
+    }
   }
 }
 
@@ -299,7 +389,8 @@ std::optional<FreeSpace> freeSpace(const SurfaceRays& rays, const WalledRegion& 
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].ceiling) space.open[i] = static_cast<std::uint8_t>(space.open[i] | 1 << FreeSpace::kCeilingBit);
   }
-  // The outdoors counts as being as near as a cell's own size.
+  markOutdoors(space, views, region.height);
+  // What is not indoors counts as being as near as a cell's own size, and so does the sky's side from below a roof.
   std::vector<std::size_t> edges;
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (space.depth[i] == 0.0f) continue;
@@ -310,7 +401,8 @@ std::optional<FreeSpace> freeSpace(const SurfaceRays& rays, const WalledRegion& 
       const bool outside = there[axis] < 0 || there[axis] >= space.count[axis];
       const std::size_t other = outside ? i : space.index(there);
       const bool blocked = !outside && (space.open[side % 2 == 1 ? i : other] >> axis & 1) == 0;
-      if (outside || (!blocked && space.depth[other] == 0.0f)) edges.push_back(i);
+      const bool sky = !outside && space.outdoors(other) != space.outdoors(i);
+      if (outside || (!blocked && (space.depth[other] == 0.0f || sky))) edges.push_back(i);
     }
   }
   for (const std::size_t i : edges) space.depth[i] = std::min(space.depth[i], static_cast<float>(space.cell));

@@ -31,10 +31,15 @@ struct FreeSpace {
   glm::ivec3 count{0};             ///< cells along each axis
   std::vector<std::uint8_t> open;  ///< bit 0, 1, 2: no surface between the centres of this cell and the next one along
                                    ///< x, y, z
-  static constexpr int kCeilingBit = 3;  ///< of `open`: something is above
-  std::vector<float> depth;              ///< distance of the nearest surface or of the outdoors; 0: not indoors
-  bool backsAreFronts = false;           ///< as given
-  double backVolume = 0.0;               ///< of the space enclosed by back faces: solid, or a room with inverted faces
+  static constexpr int kCeilingBit = 3;   ///< of `open`: something is above
+  static constexpr int kOutdoorsBit = 4;  ///< of `open`: below the sky, see outdoors()
+  std::vector<float> depth;               ///< distance of the nearest surface or of the outdoors; 0: not indoors
+  bool backsAreFronts = false;            ///< as given
+  double backVolume = 0.0;                ///< of the space enclosed by back faces: solid, or a room with inverted faces
+
+  /// Of a cell with depth: below the open sky as a court or a walled garden is, not below a hole in a roof. No room has
+  /// cells of both kinds.
+  bool outdoors(std::size_t index) const { return (open[index] >> kOutdoorsBit & 1) != 0; }
 
   glm::ivec3 at(std::size_t index) const;
   std::size_t index(const glm::ivec3& at) const;
