@@ -155,6 +155,65 @@ TEST(TracedLattice, SunAndSkyLightWhatNodesSee) {
   }
 }
 
+// Black beams under a bright sky: an opening between two is as bright as it is wide, however coarse the capture's
+// texels.
+struct Beams : SightLines {
+  static constexpr double kHeight = 1.7, kApart = 0.13, kCovered = 0.6;
+  static bool covered(const dvec3& p) {
+    const double at = p.x / kApart;
+    return at - std::floor(at) < kCovered;
+  }
+  bool empty() const override { return false; }
+  bool blocked(const dvec3&, const dvec3&, bool) const override { return false; }
+  std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
+    if (d.y <= 0.0) return std::nullopt;
+    Met met;
+    met.distance = (kHeight - from.y) / d.y;
+    if (!covered(from + met.distance * d)) return std::nullopt;
+    met.normal = dvec3(0.0, -1.0, 0.0);
+    return met;
+  }
+};
+
+TEST(TracedLattice, SkyBetweenBeamsIsNotTheBeams) {
+  const auto skyAlong = [](const glm::vec3& d) { return glm::vec3(0.3f, 0.7f, 1.1f) * (1.0f + 0.5f * d.x); };
+  const glm::dmat3 worldFromMap(dvec3(0.8, 0.0, -0.6), dvec3(0.0, 1.0, 0.0), dvec3(0.6, 0.0, 0.8));
+  constexpr int kSize = 64;
+  CubeMap sky(kSize, 1), capture(kSize, 1);
+  const Beams beams;
+  for (int face = 0; face < 6; ++face) {
+    for (int i = 0; i < kSize * kSize; ++i) {
+      const int row = i / kSize, column = i % kSize;
+      const glm::vec3 d =
+          glm::normalize(shading::cubeDirection(face, 2.0f * (static_cast<float>(column) + 0.5f) / kSize - 1.0f,
+                                                2.0f * (static_cast<float>(row) + 0.5f) / kSize - 1.0f));
+      const dvec3 world = worldFromMap * dvec3(d);
+      sky.setTexel(0, face, column, row, glm::vec4(skyAlong(d), 1.0f));
+      const bool beam = beams.first(dvec3(0.0), world).has_value();
+      capture.setTexel(0, face, column, row,
+                       beam ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : glm::vec4(skyAlong(glm::vec3(world)), 0.0f));
+    }
+  }
+  const CubeMap means = plainMeans(capture);
+  shading::ProbeShape shape{};
+  shape.boxMin = glm::vec3(kLow);
+  shape.boxMax = glm::vec3(kHigh);
+  shape.projection = 0;
+  LatticeSurroundings in;
+  in.lines = std::make_shared<const Beams>(beams);
+  in.lamps = std::make_shared<const SceneLamps>();
+  in.mapFromProbe = glm::transpose(worldFromMap);
+  in.sky = std::make_shared<const CubeMap>(sky);
+  const DiffuseLattice lattice = tracedLattice(makeDiffuseLattice(means, shape), means, in, 4096);
+  const glm::ivec3 n = lattice.nodes;
+  for (const glm::ivec3 p : {glm::ivec3(1, 1, 2), glm::ivec3(n.x - 1, 0, 1)}) {
+    const glm::vec4 mean = lattice.texels[static_cast<std::size_t>((p.z * n.y + p.y) * n.x + p.x)];
+    const float open = 0.5f + 0.5f * static_cast<float>(1.0 - Beams::kCovered);
+    const glm::vec3 truth = open * glm::vec3(0.3f, 0.7f, 1.1f);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / truth[c], 1.0f, 0.04f) << c;
+  }
+}
+
 // Two closed rooms with a wall of 0.1 between them, and one box around both. The place of the capture is in the wall.
 struct TwoRooms : SightLines {
   static constexpr double kWall = 0.05;  // half of it, about x = 0

@@ -24,7 +24,7 @@ std::vector<NamedProgram> programsFor(int lights) {
   probe.binding.probes.push_back(std::make_shared<DrawnProbe>());
   for (int i = 0; i < lights; ++i) probe.binding.shadowLights.push_back(i);
   probe.binding.movingLights = {lights - 1};
-  probe.binding.sunLights = {0};
+  probe.binding.sunLights = {SunUse{0, 0}};
   probe.surface.colors = true;
 
   NamedProgram debug = probe;

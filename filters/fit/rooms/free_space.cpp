@@ -289,7 +289,7 @@ std::vector<float> roofShares(const FreeSpace& space, double height) {
 void markOutdoors(FreeSpace& space, const std::vector<CellView>& views, double height) {
   constexpr double kSky = 0.4, kHole = 0.5;  // of the upward directions; of the sides
   constexpr int kUpward = 5;
-  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  constexpr std::size_t kNoPart = static_cast<std::size_t>(-1);
   const std::vector<float> shares = roofShares(space, height);
   const auto roofed = [&](std::size_t i) { return shares[i] >= 0.5f; };
   struct Part {
@@ -298,10 +298,10 @@ void markOutdoors(FreeSpace& space, const std::vector<CellView>& views, double h
     std::vector<std::size_t> beside;  // roofed cells
   };
   // Connected cells that are alike in having a ceiling.
-  std::vector<std::size_t> partOf(views.size(), kNone);
+  std::vector<std::size_t> partOf(views.size(), kNoPart);
   std::vector<Part> parts;
   for (std::size_t first = 0; first < views.size(); ++first) {
-    if (!(space.depth[first] > 0.0f) || partOf[first] != kNone) continue;
+    if (!(space.depth[first] > 0.0f) || partOf[first] != kNoPart) continue;
     const std::size_t number = parts.size();
     Part part;
     part.cells.push_back(first);
@@ -312,7 +312,7 @@ void markOutdoors(FreeSpace& space, const std::vector<CellView>& views, double h
       for (int side = 0; side < 6; ++side) {
         const std::optional<std::size_t> other = space.neighbour(cell, side / 2, side % 2 == 1);
         const bool alike = other && roofed(*other) == roofed(first);
-        if (alike && partOf[*other] == kNone) {
+        if (alike && partOf[*other] == kNoPart) {
           partOf[*other] = number;
           part.cells.push_back(*other);
         }
