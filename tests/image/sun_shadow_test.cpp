@@ -110,7 +110,7 @@ TEST(SunShadow, FallsWhereTheSunsRaysAreCutOff) {
 }
 
 // The yard in a wide field, with a sheet over the grass: the floor's shadow is as sharp as without a field.
-TEST(SunShadow, IsFineWhereProbesReachInAWideField) {
+TEST(SunShadow, IsFineInAWideField) {
   const dvec3 sheet(9.3, 2.1, -6.2);
   constexpr double kField = -0.7;
   Model model = yard();
@@ -126,20 +126,13 @@ TEST(SunShadow, IsFineWhereProbesReachInAWideField) {
   const dvec3 under = sheet + kSun * (sheet.y - kField);
   EXPECT_LT(world.seen(under), 0.02 * sunlit().x);
   EXPECT_NEAR(world.seen(under + dvec3(2.3, 0.0, 0.4)), sunlit().x, 0.02 * sunlit().x);
-  const std::uint64_t drawn = world.maps();
-  // Elsewhere nothing is reached: one map has all.
+  // They follow from no probe: an edit of one leaves every capture's shadows as they are.
   world.editAndFinish([](Scene& s) {
     s.probes[0].box = {{20.1, 0.0, -2.8}, {24.0, 2.7, 2.6}};
     s.probes[0].origin = {22.0, 1.4, 0.2};
   });
-  EXPECT_EQ(world.maps(), drawn + 1);
-  const dvec3 shelfs = kShelf + kSun * kShelf.y;
-  EXPECT_LT(world.seen(shelfs), 0.02 * sunlit().x);
-  world.editAndFinish([](Scene& s) { s.probes = sunny().probes; });
-  EXPECT_EQ(world.maps(), drawn + 3);
-  dark = lit = 0;
-  walk(world, dvec3(0.0), &dark, &lit);
-  EXPECT_GE(dark, 10);
+  EXPECT_EQ(world.maps(), 2u);
+  EXPECT_LT(world.seen(kShelf + kSun * kShelf.y), 0.02 * sunlit().x);
 }
 
 TEST(SunShadow, FollowsEdits) {

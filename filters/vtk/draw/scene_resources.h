@@ -31,7 +31,7 @@ struct MovingShadow {
   glm::dmat4 mapFromWorld{1.0};
 };
 /// The shadow map of a directional light that asks for no shadows of its own: of objects that stand still. A light may
-/// have two, one after the other: one of everything and a finer one around what the probes reach.
+/// have two, one after the other: one of everything and a finer one around what stands on a wide ground.
 struct SunShadow {
   int light = 0;
   GLuint texture = 0;  ///< 0: not drawn yet

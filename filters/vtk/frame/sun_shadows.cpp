@@ -41,28 +41,13 @@ void setBounds(SunView& view, const Box& bounds) {
                       glm::translate(glm::dmat4(1.0), -view.bounds.min) * glm::dmat4(view.sunFromWorld);
 }
 
-double texelOf(const SunView& view) {
-  return std::max(view.bounds.size().x, view.bounds.size().y) / SunShadows::kMapSize;
+// As the light sees it, the longer side.
+double widthOf(const Box& inView) {
+  return std::max(inView.size().x, inView.size().y);
 }
 
-// Which objects lie where probes light things: within the bounds of all their influence boxes and half of that around.
-// What is larger, such as the ground outside, does not.
-std::vector<bool> reachedBy(const std::vector<Probe>& probes, const std::vector<Box>& objects) {
-  std::vector<bool> reached(objects.size(), false);
-  if (probes.empty()) return reached;
-  Box reach = influenceBounds(probes.front());
-  for (const Probe& probe : probes) {
-    const Box b = influenceBounds(probe);
-    reach = {glm::min(reach.min, b.min), glm::max(reach.max, b.max)};
-  }
-  const glm::dvec3 around = 0.5 * reach.size();
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Box& box = objects[i];
-    const bool touches = glm::all(glm::lessThan(box.min, reach.max)) && glm::all(glm::greaterThan(box.max, reach.min));
-    reached[i] = touches && glm::all(glm::greaterThan(box.min, reach.min - around)) &&
-                 glm::all(glm::lessThan(box.max, reach.max + around));
-  }
-  return reached;
+double texelOf(const SunView& view) {
+  return widthOf(view.bounds) / SunShadows::kMapSize;
 }
 
 bool flat(const Box& box) {
@@ -127,13 +112,10 @@ void SunShadows::sceneChanged() {
   of.on = content_->lamps && content_->sightLines;
   of.models = content_->modelGeneration;
   of.lights = content_->scene.lights;
-  std::vector<Box> bounds;
   for (const DrawnObject& object : content_->objects) {
     of.objects.push_back(object.worldFromModel);
     of.casts.push_back(castsSun(object));
-    bounds.push_back(worldBounds(object));
   }
-  if (of.on) of.reached = reachedBy(content_->scene.probes, bounds);
   if (of == of_) return;
   of_ = std::move(of);
   std::vector<SunShadow>& suns = state_->resources.sunShadows;
@@ -153,17 +135,19 @@ void SunShadows::sceneChanged() {
   });
   if (order.size() > kMostSuns) order.resize(kMostSuns);
   std::sort(order.begin(), order.end());
-  std::vector<Box> casters;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    if (of_.casts[i]) casters.push_back(bounds[i]);
+  std::vector<Box> bounds, casters;
+  for (const DrawnObject& object : content_->objects) {
+    bounds.push_back(worldBounds(object));
+    if (castsSun(object)) casters.push_back(bounds.back());
   }
   for (const std::size_t light : order) {
     const auto view = sunView(lights[light].direction, casters);
     if (!view) continue;
+    // What is wider than half of everything, such as the ground, reads the one; what stands on it the other.
     std::vector<bool> whole = sunReceivers(*view, bounds, casters), near(whole.size(), false);
     std::vector<Box> around;
     for (std::size_t i = 0; i < whole.size(); ++i) {
-      near[i] = whole[i] && of_.reached[i];
+      near[i] = whole[i] && widthOf(turned(view->sunFromWorld, bounds[i])) <= 0.5 * widthOf(view->bounds);
       if (near[i]) around.push_back(bounds[i]);
     }
     if (const auto finer = sunViewAround(*view, around)) {

@@ -1,7 +1,8 @@
 // Shadow maps of suns: of each directional light that asks for no shadows of its own, a depth map of all that stands
-// still, drawn again when something is moved or the light turns; where much more stands than probes reach, a second one
-// for that. An object reads one of them. On by themselves where lamps are drawn as shapes; none
-// for a light whose shadow shows nowhere. They need no probe, so that a first capture has patches of sun, too.
+// still, drawn again when something is moved or the light turns; where a wide ground lies below what stands, a second
+// one for that. An object reads one of them. On by themselves where lamps are drawn as shapes; none for a light whose
+// shadow shows nowhere. They need no probe, so that a first capture has patches of sun, too, and follow from none: a
+// probe's edit leaves its capture as it is.
 #pragma once
 
 #include <deque>
@@ -53,10 +54,8 @@ class SunShadows {
     std::vector<Light> lights;
     std::vector<glm::dmat4> objects;
     std::vector<bool> casts;
-    std::vector<bool> reached;  ///< by probes: they light all of it
     bool operator==(const Of& o) const {
-      return on == o.on && models == o.models && lights == o.lights && objects == o.objects && casts == o.casts &&
-             reached == o.reached;
+      return on == o.on && models == o.models && lights == o.lights && objects == o.objects && casts == o.casts;
     }
   };
   void add(int light, const SunView& view, std::vector<bool> shades);
