@@ -208,6 +208,12 @@ TEST(SunShadow, ReceiversAreThoseBehindSomething) {
   ASSERT_TRUE(view.has_value());
   EXPECT_EQ(sunReceivers(*view, {wall, behind, beside, before}, {wall}), (std::vector<bool>{true, true, false, false}));
   EXPECT_EQ(sunReceivers(*view, {before}, {before}), std::vector<bool>{false}) << "flat";
+  const Box floor{{-3.0, 0.2, -2.0}, {4.0, 0.2, 5.0}}, on{{0.5, 0.2, 1.0}, {1.0, 0.9, 1.5}},
+      through{{-1.0, -0.3, 1.0}, {-0.5, 0.9, 1.5}};
+  const auto slanting = sunView({0.4, -1.0, 0.3}, {floor});
+  ASSERT_TRUE(slanting.has_value());
+  EXPECT_EQ(sunReceivers(*slanting, {on, through}, {floor}, false), (std::vector<bool>{false, true}));
+  EXPECT_EQ(sunReceivers(*slanting, {on, through}, {floor}), (std::vector<bool>{true, true}));
   EXPECT_FALSE(sunView({0.0, 0.0, 0.0}, {wall}).has_value());
   EXPECT_FALSE(sunView({0.0, 0.0, 1.0}, {}).has_value());
 }

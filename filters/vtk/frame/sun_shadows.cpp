@@ -86,8 +86,23 @@ std::optional<SunView> sunViewAround(const SunView& all, const std::vector<Box>&
   return 2.0 * texelOf(view) <= texelOf(all) ? std::optional<SunView>(view) : std::nullopt;
 }
 
-std::vector<bool> sunReceivers(const SunView& view, const std::vector<Box>& receivers,
-                               const std::vector<Box>& casters) {
+namespace {
+
+// Does all of `receiver` lie on the light's side of `caster`, a flat one? What stands on a floor is not shaded by it.
+bool before(const SunView& view, const Box& receiver, const Box& caster) {
+  if (!flat(caster)) return false;
+  const glm::dvec3 size = caster.size();
+  const int axis = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+  const double away = view.sunFromWorld[axis].z, least = 1.0e-6 * std::max({size.x, size.y, size.z});
+  return away < 0.0   ? receiver.min[axis] >= caster.min[axis] - least
+         : away > 0.0 ? receiver.max[axis] <= caster.max[axis] + least
+                      : false;
+}
+
+}  // namespace
+
+std::vector<bool> sunReceivers(const SunView& view, const std::vector<Box>& receivers, const std::vector<Box>& casters,
+                               bool onGround) {
   if (receivers.size() > kMostObjects || casters.size() > kMostObjects)
     return std::vector<bool>(receivers.size(), true);
   std::vector<Box> seen;
@@ -99,8 +114,8 @@ std::vector<bool> sunReceivers(const SunView& view, const std::vector<Box>& rece
     for (std::size_t i = 0; i < seen.size() && !shaded; ++i) {
       const Box& c = seen[i];
       const bool itself = casters[i].min == receiver.min && casters[i].max == receiver.max;
-      shaded = !(itself && flat(receiver)) && c.min.x < r.max.x && c.max.x > r.min.x && c.min.y < r.max.y &&
-               c.max.y > r.min.y && c.min.z < r.max.z;
+      shaded = !(itself && flat(receiver)) && (onGround || !before(view, receiver, casters[i])) && c.min.x < r.max.x &&
+               c.max.x > r.min.x && c.min.y < r.max.y && c.max.y > r.min.y && c.min.z < r.max.z;
     }
     result.push_back(shaded);
   }
@@ -146,8 +161,9 @@ void SunShadows::sceneChanged() {
     // What is wider than half of everything, such as the ground, reads the one; what stands on it the other.
     std::vector<bool> whole = sunReceivers(*view, bounds, casters), near(whole.size(), false);
     std::vector<Box> around;
+    const std::vector<bool> shaded = sunReceivers(*view, bounds, casters, false);
     for (std::size_t i = 0; i < whole.size(); ++i) {
-      near[i] = whole[i] && widthOf(turned(view->sunFromWorld, bounds[i])) <= 0.5 * widthOf(view->bounds);
+      near[i] = shaded[i] && widthOf(turned(view->sunFromWorld, bounds[i])) <= 0.5 * widthOf(view->bounds);
       if (near[i]) around.push_back(bounds[i]);
     }
     if (const auto finer = sunViewAround(*view, around)) {

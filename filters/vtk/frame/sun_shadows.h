@@ -22,8 +22,10 @@ struct SunView {
 std::optional<SunView> sunView(const glm::dvec3& direction, const std::vector<Box>& casters);
 
 /// Of each of `receivers`, world bounds: may one of `casters` throw a shadow on it, from between it and the light?
-/// Flat ones throw none on themselves; they are those that have no extent along an axis of the world.
-std::vector<bool> sunReceivers(const SunView& view, const std::vector<Box>& receivers, const std::vector<Box>& casters);
+/// Flat ones throw none on themselves; they are those that have no extent along an axis of the world. `onGround`: what
+/// stands on a flat one counts as well.
+std::vector<bool> sunReceivers(const SunView& view, const std::vector<Box>& receivers, const std::vector<Box>& casters,
+                               bool onGround = true);
 
 /// A view around some of the objects alone, as deep as `all`, so that what stands between them and the light throws
 /// its shadows there. `some`: their world bounds. Nothing: its texels would not be half as wide as those of `all`.
