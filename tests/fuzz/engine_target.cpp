@@ -1,5 +1,5 @@
-// Unity's YAML, Godot's scenes and our own exports, as `boxprobe import` takes them: what is read makes a scene that can be written and
-// read again, or is refused.
+// Unity's YAML, Godot's scenes and our own exports, as `boxprobe import` takes them: what is read makes a scene that
+// can be written and read again, or is refused.
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/scene/scene.h"

@@ -46,8 +46,7 @@ std::vector<Edit> editsOf(Of of, const Scene& scene) {
   if (of == Of::Probes) {
     for (std::size_t i = 0; i < scene.probes.size(); ++i) {
       const auto probe = [i](Scene& s) -> Probe& { return s.probes[i]; };
-      addEdits<Probe>(edits, "probe " + scene.probes[i].name, probeFields(), probe,
-                      {"bounces", "cubeView", "imageRotationDegrees"});
+      addEdits<Probe>(edits, "probe " + scene.probes[i].name, probeFields(), probe, {"bounces"});
     }
     addEdits<ObjectOverride>(edits, "object floor", objectFields(),
                              [](Scene& s) -> ObjectOverride& { return s.objects["floor"]; });

@@ -88,11 +88,11 @@ std::vector<Step> sceneSteps(const Scene& scene) {
 /// Of a scene without a sky: where probes leave weight to it is part of a first capture, and no drag makes that again.
 std::vector<Step> probeSteps(const Scene& scene) {
   std::vector<Step> steps;
-  // Of a custom probe's picture: engine_test and environment_test have these.
-  std::vector<FieldRow<Probe>> fields;
-  for (const FieldRow<Probe>& row : probeFields()) {
-    if (row.key != "cubeView" && row.key != "imageRotationDegrees") fields.push_back(row);
-  }
+  // Each probe has a third of the fields. Those of a custom probe's picture come last, so that they move no others.
+  std::vector<FieldRow<Probe>> fields = probeFields();
+  std::stable_partition(fields.begin(), fields.end(), [](const FieldRow<Probe>& row) {
+    return row.key != "cubeView" && row.key != "imageRotationDegrees";
+  });
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     addSteps<Probe>(
         steps, "probe " + scene.probes[i].name, scene, everyNth(fields, 3, i),

@@ -219,8 +219,7 @@ TEST(PlacedRooms, InfluencesGrowOverDeepNichesAndBoxesDoNot) {
   made.side(slot, 0, true);
   for (const Box& piece :
        {Box{glm::dvec3(0, 0, -1.6), glm::dvec3(0, 2.7, -0.2)}, Box{glm::dvec3(0, 0, 0.3), glm::dvec3(0, 2.7, 1.9)},
-        Box{glm::dvec3(0, 0, -0.2), glm::dvec3(0, 1.1, 0.3)},
-        Box{glm::dvec3(0, 1.4, -0.2), glm::dvec3(0, 2.7, 0.3)}}) {
+        Box{glm::dvec3(0, 0, -0.2), glm::dvec3(0, 1.1, 0.3)}, Box{glm::dvec3(0, 1.4, -0.2), glm::dvec3(0, 2.7, 0.3)}}) {
     made.side(piece, 0, true);
   }
   made.model.materials.emplace_back().roughness = 0.1f;

@@ -194,6 +194,8 @@ std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, 
   for (const std::size_t i : objectsThatMeet(world, probe, meets)) {
     const CaptureObject& object = world.objects[i];
     hash.add(object.key);
+    // Lamps as shapes light what a probe reaches: without one it is captured without their light.
+    if (world.lattices && !object.unlit && object.probes.empty()) hash.add("beyond probes");
     lighting.insert(lighting.end(), object.probes.begin(), object.probes.end());
   }
   std::sort(lighting.begin(), lighting.end());
@@ -246,6 +248,7 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& o
     object.node = placed.node;
     object.seenByProbes = placed.seenByProbes;
     object.dynamic = placed.dynamic;
+    object.unlit = placed.unlit;
     object.boundsWorld = placed.boundsWorld;
     ContentHash hash;
     hash.add(placed.contentKey).addBytes(&placed.worldFromModel, sizeof placed.worldFromModel);

@@ -2,7 +2,8 @@
 // is recaptured after an edit, which faces are reused, and whether a file is still valid. Of a box, only its rotation
 // counts, which rotates the cube's axes. Its extent, blend distances, techniques, importance and intensity never do:
 // their effect on reflections inside reflections stays as baked, and so does their effect on shares in a first capture:
-// of the sky's light, and of outside lights with coverage shadows. No VTK or OpenGL.
+// of the sky's light, and of outside lights with coverage shadows. Where lamps are shapes it counts whether an object
+// is within any influence, since without a probe it has no light of them. No VTK or OpenGL.
 #pragma once
 
 #include <cstddef>
@@ -44,6 +45,7 @@ struct CaptureObject {
   Box boundsWorld;
   bool seenByProbes = true;
   bool dynamic = false;             ///< moves: only realtime probes see it
+  bool unlit = false;               ///< not lit by probes
   std::vector<std::size_t> probes;  ///< that light it, as indices into scene.probes
 };
 
