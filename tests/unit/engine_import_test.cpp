@@ -194,7 +194,7 @@ const char* const kUnityFields[][2] = {
     {"m_UseOcclusionCulling: 0", "m_UseOcclusionCulling: 0 is left out"},
     {"m_RefreshMode: 0", "m_RefreshMode: 0 is left out: Unity captures it once"},
     {"m_TimeSlicingMode: 1", "m_TimeSlicingMode: 1 is left out"},
-    {"m_SomethingNew: 3", "m_SomethingNew: 3 is left out: it is not known here"},
+    {"m_SomethingNew: 3", "m_SomethingNew: 3 is left out: this program does not know it"},
     {"m_Resolution: 100", "m_Resolution: 100 becomes 128"}};
 
 TEST(EngineImport, EachFieldOfUnitysIsCarriedOverOrNamed) {

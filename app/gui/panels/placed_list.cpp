@@ -18,35 +18,22 @@ namespace {
 constexpr int kThumbnailWidth = 50, kThumbnailHeight = 28;
 constexpr int kLargeWidth = 432;
 
-QString caption(int kind) {
-  switch (kind) {
-    case PlacedPictures::Before:
-      return PlacedList::tr("before");
-    case PlacedPictures::After:
-      return PlacedList::tr("after");
-    case PlacedPictures::Traced:
-      return PlacedList::tr("traced");
-    case PlacedPictures::ErrorBefore:
-      return PlacedList::tr("error");
-    default:
-      return PlacedList::tr("error");
-  }
-}
-
-QString description(int kind) {
-  switch (kind) {
-    case PlacedPictures::Before:
-      return PlacedList::tr("Drawn with the probes there are");
-    case PlacedPictures::After:
-      return PlacedList::tr("Drawn with what is proposed");
-    case PlacedPictures::Traced:
-      return PlacedList::tr("By the path tracer: all light, the truth");
-    case PlacedPictures::ErrorBefore:
-      return PlacedList::tr("Error of the first, up to 25 % of white");
-    default:
-      return PlacedList::tr("Error of the second, in the same colours");
-  }
-}
+/// Of each of PlacedPictures: what stands below the thumbnail, and below the large picture.
+struct PictureText {
+  const char *caption, *description;
+};
+constexpr PictureText kPictureTexts[PlacedPictures::kCount] = {
+    {QT_TRANSLATE_NOOP("boxprobe::PlacedList", "before"),
+     QT_TRANSLATE_NOOP("boxprobe::PlacedList", "Drawn with the current probes")},
+    {QT_TRANSLATE_NOOP("boxprobe::PlacedList", "after"),
+     QT_TRANSLATE_NOOP("boxprobe::PlacedList", "Drawn with the proposed probes")},
+    {QT_TRANSLATE_NOOP("boxprobe::PlacedList", "traced"),
+     QT_TRANSLATE_NOOP("boxprobe::PlacedList", "Path traced: all light, the truth")},
+    {QT_TRANSLATE_NOOP("boxprobe::PlacedList", "error before"),
+     QT_TRANSLATE_NOOP("boxprobe::PlacedList", "Error before, up to 25 % of white")},
+    {QT_TRANSLATE_NOOP("boxprobe::PlacedList", "error after"),
+     QT_TRANSLATE_NOOP("boxprobe::PlacedList", "Error after, in the same colours")},
+};
 
 QWidget* thumbnails(const PlacedEntry& entry, QWidget* parent) {
   auto* strip = new QWidget(parent);
@@ -62,8 +49,8 @@ QWidget* thumbnails(const PlacedEntry& entry, QWidget* parent) {
     button->setIconSize({kThumbnailWidth, kThumbnailHeight});
     button->setIcon(QPixmap::fromImage(
         image.scaled(kThumbnailWidth, kThumbnailHeight, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
-    button->setText(caption(kind));
-    button->setToolTip(description(kind) + PlacedList::tr("; click to enlarge"));
+    button->setText(PlacedList::tr(kPictureTexts[kind].caption));
+    button->setToolTip(PlacedList::tr("%1; click to enlarge").arg(PlacedList::tr(kPictureTexts[kind].description)));
     layout->addWidget(button);
     QObject::connect(button, &QToolButton::clicked, parent, [entry, parent] {
       auto* dialog = new PlacedPicturesDialog(entry, parent->window());
@@ -123,7 +110,7 @@ PlacedPicturesDialog::PlacedPicturesDialog(const PlacedEntry& entry, QWidget* pa
     const QImage& image = entry.pictures.images[static_cast<std::size_t>(kind)];
     picture->setPixmap(QPixmap::fromImage(image.scaledToWidth(kLargeWidth, Qt::SmoothTransformation)));
     cell->addWidget(picture);
-    cell->addWidget(new QLabel(description(kind), this));
+    cell->addWidget(new QLabel(PlacedList::tr(kPictureTexts[kind].description), this));
     grid->addLayout(cell, row, column);
   };
   add(PlacedPictures::Before, 0, 0);

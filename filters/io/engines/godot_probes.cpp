@@ -48,11 +48,7 @@ std::string trimmed(const std::string& text) {
   return start == std::string::npos ? "" : text.substr(start, text.find_last_not_of(" \t") + 1 - start);
 }
 
-/// What a probe may have and is not carried over, with the value that means nothing is lost, and why.
-struct GodotLeftOut {
-  const char *key, *standard, *why;
-};
-constexpr GodotLeftOut kGodotLeftOut[] = {
+constexpr LeftOutField kGodotLeftOut[] = {
     {"enable_shadows", "false", "the lights' own `shadows` decide in captures"},
     {"cull_mask", "1048575", "captures see every object but those in `hides`"},
     {"reflection_mask", "1048575", "every object in the influence box is lit"},
@@ -286,12 +282,9 @@ class GodotReader {
   void listLeftOut(const GodotNode& node, const std::string& name, std::vector<std::string>& remarks) const {
     for (const auto& [key, value] : node.values) {
       if (isRead(key) || saysNothingOfLight(key)) continue;
-      const auto* row = std::find_if(std::begin(kGodotLeftOut), std::end(kGodotLeftOut),
-                                     [&key = key](const GodotLeftOut& known) { return key == known.key; });
-      const bool known = row != std::end(kGodotLeftOut);
-      if (known && value == row->standard) continue;
-      remarks.push_back(printable(oneLine("probes." + name + ": " + key + " = " + value.substr(0, 80) +
-                                          " is left out: " + (known ? row->why : "it is not known here"))));
+      const std::string written = key + " = " + value.substr(0, 80);
+      if (auto remark = leftOut(kGodotLeftOut, "probes." + name + ": ", key, value, written))
+        remarks.push_back(std::move(*remark));
     }
   }
 

@@ -1,10 +1,12 @@
 // Shared by the readers of engines' scene files. Internal to this folder.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,6 +35,22 @@ inline std::optional<double> leadingNumber(std::string_view text) {
   const auto result = std::from_chars(text.data() + at, text.data() + text.size(), value);
   if (result.ec != std::errc() || !std::isfinite(value)) return {};
   return value;
+}
+
+/// What a probe may have and is not carried over, with the value that means nothing is lost, and why.
+struct LeftOutField {
+  const char *key, *standard, *why;
+};
+
+/// What `written`, a field as the file has it, loses by being left out; nothing if its value is the standard one.
+template <std::size_t N>
+std::optional<std::string> leftOut(const LeftOutField (&fields)[N], const std::string& place, const std::string& key,
+                                   const std::string& value, const std::string& written) {
+  const auto* row = std::find_if(std::begin(fields), std::end(fields),
+                                 [&key](const LeftOutField& known) { return key == known.key; });
+  const bool known = row != std::end(fields);
+  if (known && value == row->standard) return std::nullopt;
+  return printable(oneLine(place + written + " is left out: " + (known ? row->why : "this program does not know it")));
 }
 
 /// An unused name made of characters that a scene file allows: probe names are unique here, but not in engines.

@@ -63,11 +63,7 @@ UnityObjects unityObjects(const std::string& text) {
   return objects;
 }
 
-/// What a probe may have and is not carried over, with the value that means nothing is lost, and why.
-struct UnityLeftOut {
-  const char *key, *standard, *why;
-};
-constexpr UnityLeftOut kUnityLeftOut[] = {
+constexpr LeftOutField kUnityLeftOut[] = {
     {"m_Type", "0", "every probe is a cube"},
     {"m_HDR", "1", "captures keep their whole range"},
     {"m_ShadowDistance", "100", "the lights' own `shadows` decide in captures"},
@@ -267,12 +263,8 @@ class UnityReader {
   void listLeftOut(const UnityObject& object, const std::string& place, std::vector<std::string>& remarks) const {
     for (const auto& [key, value] : object.values) {
       if (isReadFromUnity(key) || isUnitysOwn(key)) continue;
-      const auto* row = std::find_if(std::begin(kUnityLeftOut), std::end(kUnityLeftOut),
-                                     [&key = key](const UnityLeftOut& known) { return key == known.key; });
-      const bool known = row != std::end(kUnityLeftOut);
-      if (known && value == row->standard) continue;
-      remarks.push_back(printable(oneLine(place + key + ": " + value.substr(0, 80) +
-                                          " is left out: " + (known ? row->why : "it is not known here"))));
+      const std::string written = key + ": " + value.substr(0, 80);
+      if (auto remark = leftOut(kUnityLeftOut, place, key, value, written)) remarks.push_back(std::move(*remark));
     }
   }
 
