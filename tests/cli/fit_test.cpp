@@ -63,6 +63,58 @@ TEST(Fit, LowersTheErrorOfBoxesSetByHand) {
   }
 }
 
+/// A box room of lamps: each wall is one, of its own brightness. The probe's box is 2.5 m too long at +x.
+std::string roomOfLamps(const TemporaryFolder& folder, const std::vector<double>& brightness) {
+  const double x[] = {-3.0, 4.0}, y[] = {0.0, 2.5}, z[] = {-2.0, 5.0};
+  std::string obj = "mtllib walls.mtl\n", mtl;
+  for (int corner = 0; corner < 8; ++corner) {
+    obj += "v " + std::to_string(x[corner & 1]) + " " + std::to_string(y[corner >> 1 & 1]) + " " +
+           std::to_string(z[corner >> 2]) + "\n";
+  }
+  // Corners anticlockwise as seen from within: -x, +x, -y, +y, -z, +z.
+  const int walls[6][4] = {{1, 3, 7, 5}, {2, 6, 8, 4}, {1, 5, 6, 2}, {3, 4, 8, 7}, {1, 2, 4, 3}, {5, 7, 8, 6}};
+  for (std::size_t wall = 0; wall < 6; ++wall) {
+    const std::string name = "wall" + std::to_string(wall), light = std::to_string(brightness[wall]);
+    mtl += "newmtl " + name + "\nKd 0 0 0\nKe " + light + " " + light + " " + light + "\nPr 0.1\nPm 0\n";
+    obj += "usemtl " + name + "\nf";
+    for (const int corner : walls[wall]) obj += " " + std::to_string(corner);
+    obj += "\n";
+  }
+  folder.write("walls.mtl", mtl);
+  folder.write("walls.obj", obj);
+  const json scene = {
+      {"format", "boxprobe-scene"},
+      {"version", 1},
+      {"model", "walls.obj"},
+      {"probes",
+       {{{"name", "p"}, {"origin", {0.4, 1.3, 0.9}}, {"box", {{"min", {-3.0, 0.0, -2.0}}, {"max", {6.5, 2.5, 5.0}}}}}}},
+      {"cameras", {{{"name", "c"}, {"position", {-2.0, 1.6, -1.0}}, {"target", {3.0, 0.4, 3.0}}}}}};
+  return folder.write("walls.boxprobe.json", scene.dump());
+}
+
+TEST(Fit, SaysWhatEachFaceGainsOfTheLight) {
+  const TemporaryFolder folder;
+  // The wall that is missed is the bright one: angle and light are gained, by that face.
+  const json bright = fitted({roomOfLamps(folder, {0.4, 5.0, 0.7, 0.55, 0.3, 0.85})})["probes"][0];
+  ASSERT_EQ(bright["outcome"], "fitted");
+  EXPECT_GT(bright["before"]["light"], 0.1);
+  EXPECT_LT(bright["after"]["light"], 0.02) << "the box is the room";
+  EXPECT_NEAR(bright["faces"]["+x"]["gainLight"].get<double>(),
+              bright["before"]["light"].get<double>() - bright["after"]["light"].get<double>(), 0.02);
+  for (const char* face : {"-x", "-y", "+y", "-z", "+z"}) {
+    EXPECT_NEAR(bright["faces"][face]["gainLight"].get<double>(), 0.0, 0.01) << face;
+  }
+  // All walls alike: however wrong the lookup, what it finds is right.
+  const json even = fitted({roomOfLamps(folder, {0.6, 0.6, 0.6, 0.6, 0.6, 0.6})})["probes"][0];
+  EXPECT_GT(even["before"]["meanDegrees"], 1.0);
+  EXPECT_NEAR(even["before"]["light"].get<double>(), 0.0, 1e-4);
+  EXPECT_NEAR(even["faces"]["+x"]["gainLight"].get<double>(), 0.0, 1e-4);
+  // Without light there is nothing to say.
+  const std::string dark = roomOfLamps(folder, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  EXPECT_FALSE(fitted({dark})["probes"][0]["before"].contains("light"));
+  EXPECT_THAT(fit({dark}).out, ::testing::Not(HasSubstr("light")));
+}
+
 TEST(Fit, WritesASceneWithTheFitAndNothingUnasked) {
   const TemporaryFolder folder;
   const std::string scene = demoScene("room"), wrong = "probes.room.box.max=[2,4.5,4]";

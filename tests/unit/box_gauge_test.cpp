@@ -7,7 +7,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "filters/core/geometry/probe_geometry.h"
 #include "filters/fit/rays/triangle_rays.h"
+#include "tests/support/random_room.h"
 #include "tests/unit/made_model.h"
 
 namespace boxprobe {
@@ -115,6 +117,41 @@ TEST(BoxGauge, TheWorstSpotIsSeenAndReflectsWhatIsWrong) {
   ASSERT_TRUE(wall);
   const glm::dvec3 met = gauge->spot->positionWorld + wall->distance * mirrored;
   EXPECT_NEAR(met.x, 4.0, 0.05);
+}
+
+/// What a panel says of one box does not contradict itself: the mean is that of a fit, and nothing seen through a face
+/// is worse on the whole than the worst spot.
+TEST(BoxGauge, FiguresOfOneBoxAgree) {
+  int judged = 0;
+  for (std::uint32_t seed = 300; seed < 312; ++seed) {
+    const test::RandomRoom room = test::randomRoom(seed);
+    Probe probe = room.scene.probes.front();
+    const glm::dvec3 off(0.11 * (seed % 7), 0.07 * (seed % 5), 0.13 * (seed % 3));
+    const glm::dmat3 turn = rotationMatrix({0.0, room.yawDegrees, 0.0});
+    probe.rotationDegrees = {0.0, room.yawDegrees, 0.0};
+    const glm::dvec3 middle = turn * glm::dvec3(0.0, room.halfSize.y, 0.0);
+    probe.box = {middle - room.halfSize - off, middle + room.halfSize + 0.4 * off};
+    const TriangleRays rays(room.scene, {room.model});
+    const FitPlace place{rays, rays, room.scene.cameras};
+    const std::optional<BoxGauge> gauge = BoxGauger(place, probe).measure(probe);
+    ASSERT_TRUE(gauge && gauge->spot) << room.what;
+    EXPECT_NEAR(gauge->errors.meanDegrees, boxErrors(place, probe).meanDegrees, 1e-9) << room.what;
+    const ReflectedRays reflected = reflectedRays(place, probe, kBoxRays);
+    const LookupRays lookups = lookupRays(place, reflected, probe.origin, rotationMatrix(probe.rotationDegrees));
+    std::array<bool, kFaces> seen{};
+    for (const LookupRay& ray : lookups.rays) {
+      if (reflected.rays[ray.reflected].seen) {
+        seen[static_cast<std::size_t>(boxExit(ray, offsetBox(probe).offset).face)] = true;
+      }
+    }
+    for (int face = 0; face < kFaces; ++face) {
+      const FaceGauge& each = gauge->faces[static_cast<std::size_t>(face)];
+      if (!seen[static_cast<std::size_t>(face)]) continue;
+      ++judged;
+      EXPECT_LE(each.meanDegrees, gauge->spot->degrees) << faceName(face) << " of " << room.what << ", seed " << seed;
+    }
+  }
+  EXPECT_GT(judged, 30);
 }
 
 TEST(BoxGauge, StopsWhenAskedAndKnowsNothingInTheOpen) {

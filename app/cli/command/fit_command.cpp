@@ -91,6 +91,28 @@ std::vector<BoxFit> fitsOf(const FitCommandOptions& options, const LoadedScene& 
   return fits;
 }
 
+/// In the scene as it is given: what the other probes do is not asked.
+std::vector<std::optional<FitLightErrors>> lightsOf(const LoadedScene& loaded, const std::vector<Probe>& before,
+                                                    const std::vector<std::size_t>& chosen,
+                                                    const std::vector<BoxFit>& fits, const FitCommandOptions& options,
+                                                    const InterruptGuard& interrupt) {
+  ProgressLine line("tracing light", !options.report.quiet);
+  ProbeFitter fitter(loaded.scene, loaded.models);
+  std::vector<std::optional<FitLightErrors>> lights;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (fits[i].outcome == FitOutcome::Open || fits[i].outcome == FitOutcome::Inside) {
+      lights.emplace_back();
+      continue;
+    }
+    lights.push_back(fitLightErrors(loaded.scene, loaded.models, fitter, before[chosen[i]], fits[i], [&](double done) {
+      line.show((static_cast<double>(i) + done) / static_cast<double>(fits.size()));
+      return !interrupt.interrupted();
+    }));
+    interrupt.check();
+  }
+  return lights;
+}
+
 void runFit(const FitCommandOptions& options) {
   if (!options.outputPath.empty()) {
     requireExtension("-o", options.outputPath, {".json"});
@@ -109,13 +131,15 @@ void runFit(const FitCommandOptions& options) {
   const std::vector<BoxFit> fits = fitsOf(options, loaded, chosen, interrupt);
   interrupt.check();
   nlohmann::ordered_json report = {{"kind", modelKindId(kind)}, {"probes", nlohmann::ordered_json::array()}};
+  std::vector<std::optional<FitLightErrors>> lights(fits.size());
+  if (options.report.json || !options.report.quiet) lights = lightsOf(loaded, before, chosen, fits, options, interrupt);
   std::string text;
   if (fits.empty()) {
     text = std::string(modelKindId(kind)) + ": no probe, nothing to fit; the surroundings alone are reflected\n";
   }
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    report["probes"].push_back(fitJson(before[chosen[i]], fits[i]));
-    text += fitText(before[chosen[i]], fits[i]);
+    report["probes"].push_back(fitJson(before[chosen[i]], fits[i], lights[i]));
+    text += fitText(before[chosen[i]], fits[i], lights[i]);
     if (!loaded.fit || options.origin == "propose") loaded.scene.probes[chosen[i]] = fits[i].probe;
   }
   if (!options.outputPath.empty()) saveSceneFile(loaded.scene, options.outputPath);

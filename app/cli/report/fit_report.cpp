@@ -40,28 +40,34 @@ std::string line(const char* format, Values... values) {
 
 }  // namespace
 
-nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit) {
+nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit, const std::optional<FitLightErrors>& light) {
   OrderedJson faces = OrderedJson::object();
   for (int face = 0; face < kFaces; ++face) {
     const FaceFit& each = fit.faces[static_cast<std::size_t>(face)];
     faces[faceName(face)] = {{"gainDegrees", each.gainDegrees}, {"sensitivity", each.sensitivity}, {"free", each.free}};
+    if (light) faces[faceName(face)]["gainLight"] = light->faceGain[static_cast<std::size_t>(face)];
   }
-  return {{"name", before.name},
-          {"outcome", outcomeId(fit.outcome)},
-          {"box", {{"min", triple(fit.probe.box.min)}, {"max", triple(fit.probe.box.max)}}},
-          {"rotationDegrees", triple(fit.probe.rotationDegrees)},
-          {"origin", triple(fit.probe.origin)},
-          {"before", errorsJson(fit.before)},
-          {"after", errorsJson(fit.after)},
-          {"faces", faces},
-          {"hiddenBefore", fit.hiddenBefore},
-          {"hidden", fit.hidden},
-          {"open", fit.open},
-          {"remarks", fit.remarks},
-          {"seconds", fit.seconds}};
+  OrderedJson json = {{"name", before.name},
+                      {"outcome", outcomeId(fit.outcome)},
+                      {"box", {{"min", triple(fit.probe.box.min)}, {"max", triple(fit.probe.box.max)}}},
+                      {"rotationDegrees", triple(fit.probe.rotationDegrees)},
+                      {"origin", triple(fit.probe.origin)},
+                      {"before", errorsJson(fit.before)},
+                      {"after", errorsJson(fit.after)},
+                      {"faces", faces},
+                      {"hiddenBefore", fit.hiddenBefore},
+                      {"hidden", fit.hidden},
+                      {"open", fit.open},
+                      {"remarks", fit.remarks},
+                      {"seconds", fit.seconds}};
+  if (light) {
+    json["before"]["light"] = light->before;
+    json["after"]["light"] = light->after;
+  }
+  return json;
 }
 
-std::string fitText(const Probe& before, const BoxFit& fit) {
+std::string fitText(const Probe& before, const BoxFit& fit, const std::optional<FitLightErrors>& light) {
   std::string text = before.name + ":";
   for (const std::string& remark : fit.remarks) text += (&remark == &fit.remarks.front() ? " " : "; ") + remark;
   if (fit.remarks.empty()) text += fit.outcome == FitOutcome::Fitted ? " a better box was found" : " the box stays";
@@ -69,6 +75,9 @@ std::string fitText(const Probe& before, const BoxFit& fit) {
   if (fit.outcome == FitOutcome::Open || fit.outcome == FitOutcome::Inside) return text;
   text += line("  lookup error: mean %.3f -> %.3f degrees, 95 %% below %.2f -> %.2f; %.2f s\n", fit.before.meanDegrees,
                fit.after.meanDegrees, fit.before.p95Degrees, fit.after.p95Degrees, fit.seconds);
+  if (light) {
+    text += line("  light looked up: off by %.1f %% -> %.1f %%\n", 100.0 * light->before, 100.0 * light->after);
+  }
   const glm::dvec3 &from = before.origin, &to = fit.probe.origin;
   if (from == to && fit.hidden > 0.005) {
     text += line("  the origin does not see the end of %.0f %% of the reflections\n", 100.0 * fit.hidden);
@@ -84,9 +93,10 @@ std::string fitText(const Probe& before, const BoxFit& fit) {
   for (int face = 0; face < kFaces; ++face) {
     const FaceFit& each = fit.faces[static_cast<std::size_t>(face)];
     const auto place = [face](const Box& box) { return (face % 2 == 0 ? box.min : box.max)[face / 2]; };
-    text += line("  %s  %8.3f -> %8.3f   gain %7.3f degrees   %8.3f degrees per unit%s\n", faceName(face),
-                 place(before.box), place(fit.probe.box), each.gainDegrees, each.sensitivity,
-                 each.free ? "   may lie anywhere" : "");
+    text += line("  %s  %8.3f -> %8.3f   gain %7.3f degrees", faceName(face), place(before.box), place(fit.probe.box),
+                 each.gainDegrees);
+    if (light) text += line(", %5.1f %% of the light", 100.0 * light->faceGain[static_cast<std::size_t>(face)]);
+    text += line("   %8.3f degrees per unit%s\n", each.sensitivity, each.free ? "   may lie anywhere" : "");
   }
   return text;
 }

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "app/session/fit_light_errors.h"
 #include "filters/fit/box/fit_box.h"
 
 namespace boxprobe {
 
-/// Of one probe, as `fit --json` lists it. `before`: as it was given.
-nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit);
+/// Of one probe, as `fit --json` lists it. `before`: as it was given; `light`: if it was
+/// measured.
+nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit, const std::optional<FitLightErrors>& light = {});
 
 /// The same for people, with a line for each face whose position counts.
-std::string fitText(const Probe& before, const BoxFit& fit);
+std::string fitText(const Probe& before, const BoxFit& fit, const std::optional<FitLightErrors>& light = {});
 
 }  // namespace boxprobe

@@ -30,6 +30,7 @@ GaugeRows::GaugeRows(ProbeGauge& gauge, QWidget* parent)
       gauge_(gauge),
       live_(new QCheckBox(tr("Live error"), this)),
       mean_(new QLabel(this)),
+      verdict_(new QLabel(this)),
       faces_(new QWidget(this)),
       spot_(new QPushButton(this)),
       back_(new QPushButton(tr("Back"), this)) {
@@ -40,8 +41,11 @@ GaugeRows::GaugeRows(ProbeGauge& gauge, QWidget* parent)
   live_->setToolTip(tr("Angle between what reflected rays look up and what they should, while the box is edited"));
   mean_->setObjectName("gaugeMean");
   mean_->setWordWrap(true);
+  verdict_->setObjectName("gaugeVerdict");
+  verdict_->setWordWrap(true);
   rows->addWidget(live_);
   rows->addWidget(mean_);
+  rows->addWidget(verdict_);
   rows->addWidget(faces_);
   auto* grid = new QGridLayout(faces_);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -86,21 +90,29 @@ void GaugeRows::setCanComeBack(bool can) {
 void GaugeRows::refresh() {
   const std::optional<BoxGauge>& gauge = gauge_.gauge();
   mean_->setVisible(gauge.has_value());
+  verdict_->setVisible(gauge.has_value());
   faces_->setVisible(gauge.has_value());
   spot_->setEnabled(gauge && gauge->spot);
   spot_->setText(gauge && gauge->spot ? tr("Look at the worst spot (%1)").arg(degreesText(gauge->spot->degrees))
                                       : tr("Look at the worst spot"));
-  spot_->setToolTip(tr("Moves the camera to where the reflections are the most wrong"));
+  spot_->setToolTip(
+      tr("Moves the camera to where the reflections are the most wrong: no face's mean is larger than the mean there"));
   if (!gauge) return;
-  mean_->setText(
-      tr("Mean %1, 95 % below %2").arg(degreesText(gauge->errors.meanDegrees), degreesText(gauge->errors.p95Degrees)));
+  mean_->setText(tr("Mean error %1, 95 % below %2")
+                     .arg(degreesText(gauge->errors.meanDegrees), degreesText(gauge->errors.p95Degrees)));
+  const QString counted = degreesText(countedGain(gauge->errors.meanDegrees));
+  verdict_->setText(gauge->worst
+                        ? tr("Face %1 alone can take %2 off the mean: click its button")
+                              .arg(faceName(*gauge->worst),
+                                   degreesText(gauge->faces[static_cast<std::size_t>(*gauge->worst)].gainDegrees))
+                        : tr("No face alone can take %1 off the mean").arg(counted));
   for (int face = 0; face < kFaces; ++face) {
     const auto index = static_cast<std::size_t>(face);
     const FaceGauge& each = gauge->faces[index];
     const bool worst = gauge->worst == face;
     errors_[index]->setText(QString("%1  %2").arg(
         faceName(face), each.share > 0.0 ? degreesText(each.meanDegrees) : QString::fromUtf8("\u2013")));
-    errors_[index]->setToolTip(tr("%1 % of the reflections leave the box through this face")
+    errors_[index]->setToolTip(tr("Mean error of what leaves the box through this face: %1 % of the reflections")
                                    .arg(100.0 * each.share, 0, 'f', each.share < 0.1 ? 1 : 0));
     QToolButton* snap = snaps_[index];
     snap->setVisible(each.gainDegrees >= countedGain(gauge->errors.meanDegrees));

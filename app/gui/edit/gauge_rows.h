@@ -41,7 +41,7 @@ class GaugeRows : public QWidget {
 
   ProbeGauge& gauge_;
   QCheckBox* live_;
-  QLabel* mean_;
+  QLabel *mean_, *verdict_;
   QWidget* faces_;
   std::array<QLabel*, kFaces> errors_{};
   std::array<QToolButton*, kFaces> snaps_{};

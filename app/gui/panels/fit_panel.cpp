@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QStringList>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "app/gui/edit/gauge_rows.h"
 #include "app/gui/edit/probe_fields.h"
@@ -19,11 +20,22 @@ namespace boxprobe {
 
 namespace {
 
-QString errorsText(const LookupErrors& before, const LookupErrors& after) {
+/// With its sign: "-5.8 %".
+QString percentText(double share) {
+  return QString::fromUtf8(share < 0.0 ? "\u2212" : "+") + QString::number(100.0 * std::abs(share), 'f', 1) + " %";
+}
+
+QString errorsText(const BoxFit& fit, const std::optional<FitLightErrors>& light) {
   const QString arrow = QString::fromUtf8(" \u2192 ");
-  return FitPanel::tr("Mean error %1, 95 %: %2")
-      .arg(degreesText(before.meanDegrees) + arrow + degreesText(after.meanDegrees),
-           degreesText(before.p95Degrees) + arrow + degreesText(after.p95Degrees));
+  QString text = FitPanel::tr("Mean error %1, 95 %: %2")
+                     .arg(degreesText(fit.before.meanDegrees) + arrow + degreesText(fit.after.meanDegrees),
+                          degreesText(fit.before.p95Degrees) + arrow + degreesText(fit.after.p95Degrees));
+  if (light) {
+    text +=
+        FitPanel::tr("; light off by %1%2%3 %")
+            .arg(QString::number(100.0 * light->before, 'f', 1), arrow, QString::number(100.0 * light->after, 'f', 1));
+  }
+  return text;
 }
 
 }  // namespace
@@ -53,7 +65,9 @@ FitPanel::FitPanel(Editor& editor, QWidget* parent)
   rows->setContentsMargins(0, 0, 0, 0);
   errors_->setObjectName("fitErrors");
   errors_->setWordWrap(true);
-  errors_->setToolTip(tr("Angle between what reflected rays look up and what they should, before and after"));
+  errors_->setToolTip(
+      tr("Before and after: the angle between what reflected rays look up and what they should; the light that is "
+         "looked up, against the right light"));
   rows->addWidget(errors_);
   auto* grid = new QGridLayout;
   rows->addLayout(grid);
@@ -102,28 +116,46 @@ void FitPanel::fit() {
   given_ = *probe;
   work_.start(
       [this, scene = editor_.scene(), models = models_, probe = *probe](const BackgroundWork::Progress& progress) {
-        const std::optional<BoxFit> fitted = ProbeFitter(scene, models).fit(probe, {}, progress);
+        ProbeFitter fitter(scene, models);
+        const std::optional<BoxFit> fitted = fitter.fit(probe, {}, [&](double done) { return progress(0.5 * done); });
         BackgroundWork::Finish finish;
-        if (fitted) finish = [this, result = *fitted] { review(result); };
+        if (!fitted) return finish;
+        std::optional<FitLightErrors> light;
+        if (fitted->outcome == FitOutcome::Fitted) {
+          bool stopped = false;
+          light = fitLightErrors(scene, models, fitter, probe, *fitted, [&](double done) {
+            stopped = stopped || !progress(0.5 + 0.5 * done);
+            return !stopped;
+          });
+          if (stopped) return finish;
+        }
+        finish = [this, result = *fitted, light] { review(result, light); };
         return finish;
       });
   refresh();
 }
 
-void FitPanel::review(const BoxFit& result) {
+void FitPanel::review(const BoxFit& result, const std::optional<FitLightErrors>& light) {
   const Probe* probe = editor_.probe();
   if (probe == nullptr || !(*probe == *given_)) {
     emit message(tr("The probe changed meanwhile: fit it again"));
     return;
   }
   result_ = result;
+  light_ = light;
   for (int face = 0; face < kFaces; ++face) {
     const FaceFit& fitted = result_->faces[static_cast<std::size_t>(face)];
     QCheckBox* box = faces_[static_cast<std::size_t>(face)];
     const QSignalBlocker quiet(box);
     box->setChecked(true);
-    box->setText(QString("%1: ").arg(faceName(face)) +
-                 (fitted.free ? tr("hardly matters") : tr("gains %1").arg(degreesText(fitted.gainDegrees))));
+    box->setText(
+        QString("%1: ").arg(faceName(face)) +
+        (fitted.free ? tr("hardly matters") : tr("gains %1").arg(degreesText(fitted.gainDegrees))) +
+        (light_ ? tr(", light %1").arg(percentText(-light_->faceGain[static_cast<std::size_t>(face)])) : QString()));
+    box->setToolTip(
+        tr("What this face alone gains: degrees of the mean error, and how much smaller the error of the light that is "
+           "looked up "
+           "becomes. A face that gains degrees and loses light is better left out."));
   }
   QStringList lines;
   for (const std::string& remark : result_->remarks) lines += QString::fromStdString(remark);
@@ -173,7 +205,7 @@ void FitPanel::refresh() {
   remarks_->setVisible(result_ && (!fitted || !remarks_->text().isEmpty()));
   if (!result_) return;
   if (fitted) {
-    errors_->setText(errorsText(result_->before, result_->after));
+    errors_->setText(errorsText(*result_, light_));
     return;
   }
   if (result_->outcome == FitOutcome::Kept) {

@@ -11,6 +11,7 @@
 
 #include "app/gui/edit/background_work.h"
 #include "app/gui/edit/editor.h"
+#include "app/session/fit_light_errors.h"
 #include "filters/core/scene/model.h"
 #include "filters/fit/box/fit_box.h"
 
@@ -53,7 +54,7 @@ class FitPanel : public QWidget {
   void failed(const QString& line);
 
  private:
-  void review(const BoxFit& result);
+  void review(const BoxFit& result, const std::optional<FitLightErrors>& light);
   Probe proposed() const;
   void refresh();
 
@@ -67,7 +68,8 @@ class FitPanel : public QWidget {
   std::array<QCheckBox*, kFaces> faces_{};
   std::optional<Probe> given_;  ///< what is fitted, or was
   std::optional<BoxFit> result_;
-  BackgroundWork work_;  ///< last: it ends before what it would tell of it
+  std::optional<FitLightErrors> light_;  ///< of `result_`; empty without light
+  BackgroundWork work_;                  ///< last: it ends before what it would tell of it
 };
 
 }  // namespace boxprobe

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <map>
+#include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
 
@@ -80,7 +83,7 @@ std::optional<BoxGauge> BoxGauger::measure(const Probe& probe, const FitProgress
       gauge.worst = static_cast<int>(face);
     }
   }
-  gauge.spot = worstSpot(rays, box);
+  gauge.spot = worstSpot(rays, box, gauge.faces);
   return gauge;
 }
 
@@ -132,33 +135,66 @@ FaceGauge BoxGauger::bestOf(std::size_t face, const OffsetBox& box, double meanD
   return gauge;
 }
 
-std::optional<WorstSpot> BoxGauger::worstSpot(const LookupRays& rays, const OffsetBox& box) const {
+std::optional<WorstSpot> BoxGauger::worstSpot(const LookupRays& rays, const OffsetBox& box,
+                                              const std::array<FaceGauge, kFaces>& faces) const {
   struct Seen {
     const ReflectedRay* ray;
-    double degrees;
+    double degrees, weight;
   };
-  std::vector<Seen> seen;
+  // What leaves through other faces is another reflection, though it starts at the same place.
+  const double near = kSpotSize * reach_;
+  std::map<std::array<int, 4>, std::vector<Seen>> cells;
+  const auto cellOf = [near](const glm::dvec3& from, int face) {
+    const glm::dvec3 cell = glm::clamp(glm::floor(from / near), -1e8, 1e8);
+    return std::array<int, 4>{static_cast<int>(cell.x), static_cast<int>(cell.y), static_cast<int>(cell.z), face};
+  };
+  if (!(near > 0.0)) return std::nullopt;
+  std::size_t seen = 0;
   for (const LookupRay& ray : rays.rays) {
     const ReflectedRay& reflected = reflected_.rays[ray.reflected];
-    if (reflected.seen) seen.push_back({&reflected, errorOf(ray, box)});
+    if (!reflected.seen) continue;
+    cells[cellOf(reflected.from, boxExit(ray, box.offset).face)].push_back(
+        {&reflected, errorOf(ray, box), reflected.weight});
+    ++seen;
   }
-  const double near = kSpotSize * reach_;
   std::optional<WorstSpot> worst;
-  for (const Seen& middle : seen) {
-    double sum = 0.0, weight = 0.0;
-    std::size_t count = 0;
-    const Seen* most = &middle;
-    for (const Seen& each : seen) {
-      const glm::dvec3 off = each.ray->from - middle.ray->from;
-      if (glm::dot(off, off) > near * near) continue;
-      sum += each.ray->weight * each.degrees;
-      weight += each.ray->weight;
-      ++count;
-      if (each.degrees > most->degrees) most = &each;
+  const auto consider = [&worst](double sum, double weight, const Seen& most) {
+    if (!(weight > 0.0) || (worst && sum / weight <= worst->degrees)) return;
+    worst = WorstSpot{most.ray->from, most.ray->eye, sum / weight};
+  };
+  for (const auto& [place, middles] : cells) {
+    std::vector<const std::vector<Seen>*> around;
+    for (int i = 0; i < 27; ++i) {
+      const auto found = cells.find({place[0] + i % 3 - 1, place[1] + i / 3 % 3 - 1, place[2] + i / 9 - 1, place[3]});
+      if (found != cells.end()) around.push_back(&found->second);
     }
-    if (count < std::min(kSpotRays, seen.size()) || !(weight > 0.0)) continue;
-    const double degrees = sum / weight;
-    if (!worst || degrees > worst->degrees) worst = WorstSpot{most->ray->from, most->ray->eye, degrees};
+    for (const Seen& middle : middles) {
+      double sum = 0.0, weight = 0.0;
+      std::size_t count = 0;
+      const Seen* most = &middle;
+      for (const std::vector<Seen>* cell : around) {
+        for (const Seen& each : *cell) {
+          const glm::dvec3 off = each.ray->from - middle.ray->from;
+          if (glm::dot(off, off) > near * near) continue;
+          sum += each.weight * each.degrees;
+          weight += each.weight;
+          ++count;
+          if (each.degrees > most->degrees) most = &each;
+        }
+      }
+      if (count >= std::min(kSpotRays, seen)) consider(sum, weight, *most);
+    }
+  }
+  // A face is worse than every spot where few see it, and from afar: then the spot is where it is seen the worst.
+  for (int face = 0; face < kFaces; ++face) {
+    const Seen* most = nullptr;
+    for (const auto& [place, all] : cells) {
+      for (const Seen& each : all) {
+        if (place[3] == face && (most == nullptr || each.degrees > most->degrees)) most = &each;
+      }
+    }
+    const FaceGauge& whole = faces[static_cast<std::size_t>(face)];
+    if (most != nullptr) consider(whole.share * whole.meanDegrees, whole.share, *most);
   }
   return worst;
 }

@@ -38,7 +38,7 @@ class BoxGauger {
  public:
   /// Traces the rays of a probe with this origin and influence; its box may change afterwards. Keeps no reference to
   /// `place`.
-  BoxGauger(const FitPlace& place, const Probe& probe, int rays = 2048);
+  BoxGauger(const FitPlace& place, const Probe& probe, int rays = kBoxRays);
 
   /// `probe` must have the origin given to the constructor. Nothing if no reflection can be judged, or if `progress`
   /// stopped it. Deterministic.
@@ -47,7 +47,8 @@ class BoxGauger {
  private:
   FaceGauge bestOf(std::size_t face, const OffsetBox& box, double meanDegrees, const LookupRays& rays,
                    const FacePlanes& planes) const;
-  std::optional<WorstSpot> worstSpot(const LookupRays& rays, const OffsetBox& box) const;
+  std::optional<WorstSpot> worstSpot(const LookupRays& rays, const OffsetBox& box,
+                                     const std::array<FaceGauge, kFaces>& faces) const;
 
   ReflectedRays reflected_;
   LookupRays lookups_;            ///< along the world's axes

@@ -12,10 +12,13 @@
 
 namespace boxprobe {
 
+/// By how many rays a box is rated, wherever its error is said: two counts would give two figures of one box.
+inline constexpr int kBoxRays = 4096;
+
 struct BoxFitSettings {
   std::array<bool, kFaces> faces{true, true, true, true, true, true};  ///< which faces may move
   bool yaw = true;                                                     ///< may the box turn about +y?
-  int rays = 4096;
+  int rays = kBoxRays;
 };
 
 enum class FitOutcome {
@@ -57,6 +60,6 @@ Probe withOffsetBox(const Probe& probe, const OffsetBox& box, const glm::dvec3& 
 Box turnedInfluence(const Box& upright, const Probe& probe);
 
 /// The errors of a probe's box, by the same rays as fitBox; `turn` as in reflectedRays.
-LookupErrors boxErrors(const FitPlace& place, const Probe& probe, int rays = 4096, double turn = 0.0);
+LookupErrors boxErrors(const FitPlace& place, const Probe& probe, int rays = kBoxRays, double turn = 0.0);
 
 }  // namespace boxprobe

@@ -1,5 +1,7 @@
 #include "filters/reference/path/reference_path.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -35,6 +37,11 @@ PathSurface whiteMatte(const PathSurface& surface) {
   matte.color = glm::dvec3(1.0);
   matte.f0 = matte.specularEdge = 0.0;
   return matte;
+}
+
+std::uint32_t hashedSeed(std::uint64_t seed) {
+  return PathRandom::hashed(static_cast<std::uint32_t>(seed) ^
+                            PathRandom::hashed(static_cast<std::uint32_t>(seed >> 32)));
 }
 
 bool finite(const glm::dvec3& v) {
@@ -138,8 +145,7 @@ ReferencePicture ReferencePath::render(const Camera& camera, const PathSettings&
   const int bounces = settings.bounces.value_or(kMostScatterings);
   const glm::dvec3 anchor = parts.triangles.scene().anchorWorld;
   ProgressivePicture picture(settings.width, settings.height);
-  const auto seed = PathRandom::hashed(static_cast<std::uint32_t>(settings.seed) ^
-                                       PathRandom::hashed(static_cast<std::uint32_t>(settings.seed >> 32)));
+  const std::uint32_t seed = hashedSeed(settings.seed);
   picture.run(
       settings.part.within(settings.width, settings.height), plan.passes,
       [&](int x, int y, int pass) {
@@ -164,6 +170,27 @@ ReferencePicture ReferencePath::render(const Camera& camera, const PathSettings&
       },
       progress);
   return picture.picture();
+}
+
+std::vector<glm::dvec3> ReferencePath::radianceAlong(const std::vector<PathRay>& rays, int paths, std::uint64_t seed,
+                                                     const ReferenceProgress& progress) const {
+  const glm::dvec3 anchor = parts_->triangles.scene().anchorWorld;
+  const std::uint32_t hashed = hashedSeed(seed);
+  constexpr std::size_t kAtOnce = 4096;  // between two reports
+  std::vector<glm::dvec3> light(rays.size(), glm::dvec3(0.0));
+  for (std::size_t begin = 0; begin < rays.size(); begin += kAtOnce) {
+    if (progress && !progress(static_cast<double>(begin) / static_cast<double>(rays.size()))) return {};
+    tbb::parallel_for(begin, std::min(begin + kAtOnce, rays.size()), [&](std::size_t i) {
+      const std::uint32_t raySeed = PathRandom::hashed(hashed + rays[i].stream);
+      for (int path = 0; path < paths; ++path) {
+        PathRandom random(raySeed, static_cast<std::uint32_t>(path));
+        const glm::dvec3 one =
+            parts_->radiance(rays[i].from - anchor, rays[i].along, kMostScatterings, PathQuantity::Radiance, random);
+        if (finite(one)) light[i] += one / static_cast<double>(paths);
+      }
+    });
+  }
+  return light;
 }
 
 ImageRgbaF diffuseTruthImage(const ReferencePicture& light) {

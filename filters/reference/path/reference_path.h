@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,12 @@ struct PathSettings {
 /// channels, -1 where there is no surface.
 ImageRgbaF diffuseTruthImage(const ReferencePicture& light);
 
+/// World space.
+struct PathRay {
+  glm::dvec3 from{0.0}, along{0.0};  ///< unit
+  std::uint32_t stream = 0;  ///< rays of one stream draw the same random numbers: their difference has less noise
+};
+
 class ReferencePath {
  public:
   /// `models` in the order of scene.models; `skyImage`: the sky's picture if it has one. Throws WorkError.
@@ -60,6 +67,11 @@ class ReferencePath {
   /// Bit-identical for any number of threads and any part.
   ReferencePicture render(const Camera& camera, const PathSettings& settings,
                           const ReferenceProgress& progress = {}) const;
+
+  /// Radiance that arrives along each ray, as a camera at its start would see it: linear, the mean of `paths` paths.
+  /// Bit-identical for any number of threads. Empty if `progress` stopped it.
+  std::vector<glm::dvec3> radianceAlong(const std::vector<PathRay>& rays, int paths, std::uint64_t seed = 1,
+                                        const ReferenceProgress& progress = {}) const;
 
   /// Sentences without a full stop: there is no light; parts of the scene that are ignored.
   std::vector<std::string> remarks() const;
