@@ -226,7 +226,8 @@ void readStlText(const std::string& path, const std::string& bytes, StlProgress&
 }  // namespace
 
 Model readStl(const std::string& path, const LoadProgress& progress) {
-  const std::string bytes = readWholeFile(path);
+  std::string bytes = readWholeFile(path);
+  if (bytes.compare(0, 8, "\xef\xbb\xbfsolid") == 0) bytes.erase(0, 3);  // a byte order mark
   StlProgress reported(path, progress);
   Polygons mesh;
   MeshModel made(path);
