@@ -18,7 +18,7 @@ import sys
 import numpy as np
 import OpenImageIO as oiio
 
-SAME_LIGHT, SAME_FIELD = 0.01, 0.03
+SAME_LIGHT, SAME_FIELD = 0.01, 0.04
 COLUMNS, ROWS = 512, 256  # of the pictures that are compared
 REC709 = [(.64, .33), (.30, .60), (.15, .06), (.3127, .3290)]
 BRADFORD = np.array([[.8951, .2664, -.1614], [-.7502, 1.7135, .0367], [.0389, -.0685, 1.0296]])
@@ -29,7 +29,7 @@ def white(xy):
 
 
 def to_xyz(primaries):
-    columns = np.array([white(p) if p[1] else np.array([1, 0, -1]) for p in primaries[:3]]).T
+    columns = np.array([(x, y, 1 - x - y) for x, y in primaries[:3]]).T
     return columns * np.linalg.solve(columns, white(primaries[3]))
 
 
@@ -103,6 +103,14 @@ def parts(path):
         yield oiio.ImageBuf(path, part, 0)
 
 
+def layer_of(names):
+    """The prefix of the picture's channels: none, else the first layer's."""
+    for name in sorted(names, key=lambda n: (n.count("."), n)):
+        if name.split(".")[-1] == "R" and all(name[:-1] + c in names for c in "RGB"):
+            return name[:-1]
+    return None
+
+
 def colors(path):
     """Rec. 709 radiance of the file's picture as an array, and whether it holds six faces of a cube."""
     if path.lower().endswith(".hdr"):
@@ -113,7 +121,7 @@ def colors(path):
     for part in parts(path):
         spec = part.spec()
         names = list(spec.channelnames)
-        usable = not spec.deep and (all(c in names for c in "RGB") or "Y" in names or len(names) == 1)
+        usable = not spec.deep and (layer_of(names) is not None or "Y" in names or len(names) == 1)
         environment = spec.getattribute("openexr:envmap") is not None or spec.get_string_attribute("textureformat") != ""
         if usable and (chosen is None or environment):
             chosen = part
@@ -129,12 +137,17 @@ def colors(path):
     pixels = np.asarray(pixels, "f8").reshape(spec.height, spec.width, len(names))
     if spec.format.basetype == oiio.UINT32:
         pixels = pixels * 4294967295.0  # the reader's 0 to 1
-    if all(c in names for c in "RGB"):
-        image = pixels[:, :, [names.index(c) for c in "RGB"]]
+    layer = layer_of(names)
+    if all(c in names for c in ("Y", "RY", "BY")):
+        luminance, red, blue = (pixels[:, :, names.index(c)] for c in ("Y", "RY", "BY"))
+        red, blue = (red + 1) * luminance, (blue + 1) * luminance
+        image = np.stack([red, (luminance - .2126 * red - .0722 * blue) / .7152, blue], -1)
+    elif layer is not None:
+        image = pixels[:, :, [names.index(layer + c) for c in "RGB"]]
     else:
         image = np.repeat(pixels[:, :, names.index("Y") if "Y" in names else 0][:, :, None], 3, 2)
     primaries = spec.getattribute("chromaticities")
-    if primaries is not None and "R" in names:
+    if primaries is not None and layer is not None:
         points = [tuple(primaries[i:i + 2]) for i in range(0, 8, 2)]
         image = image @ to_rec709(points).T
     image = np.maximum(image, 0)
@@ -187,10 +200,10 @@ def fields(picture):
         weight.reshape(4, ROWS // 4).sum(1)[:, None, None] * (COLUMNS // 8))
 
 
-def seen(program, path, folder):
+def seen(program, path, folder, size):
     """The sky as a probe has captured it, or None; and what the program said."""
     scene = {"format": "boxprobe-scene", "version": 1, "models": [{"file": "far.obj", "translation": [0, -1e6, 0]}],
-             "sky": {"image": path}, "probes": [{"name": "p", "origin": [0, 0, 0], "faceSize": 512, "filterSamples": 8,
+             "sky": {"image": path}, "probes": [{"name": "p", "origin": [0, 0, 0], "faceSize": size, "filterSamples": 8,
                                                   "box": {"min": [-1, -1, -1], "max": [1, 1, 1]}}]}
     with open(os.path.join(folder, "far.obj"), "w") as file:
         file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
@@ -211,13 +224,14 @@ def seen(program, path, folder):
 
 
 def verdict(program, path, judge, folder):
-    picture, said = seen(program, path, folder)
-    if picture is None:
-        return "refused", 0, 0, said
     try:
         expected, cube = colors(judge)
     except ValueError as error:
         return "not judged", 0, 0, str(error)
+    # Wide pictures may have suns of a texel: as many texels around as they have.
+    picture, said = seen(program, path, folder, 512 if expected.shape[1] > 512 else 256)
+    if picture is None:
+        return "refused", 0, 0, said
     mean = sphere_mean(picture)
     right = cube_mean(expected) if cube else sphere_mean(resampled(expected))
     light = float(np.max(np.abs(mean - right)) / max(float(right.max()), 1e-30)) if np.isfinite(right).all() else np.nan

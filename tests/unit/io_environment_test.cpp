@@ -196,22 +196,30 @@ TEST_F(Environment, LuminanceAndChromaAreColours) {
     return glm::vec3(2.0 + std::sin(along), 1.0 + 0.5 * std::cos(along + down), 3.0 - 2.0 * std::sin(down));
   };
   const Imf::Chromaticities rec2020({0.708f, 0.292f}, {0.170f, 0.797f}, {0.131f, 0.046f}, {0.3127f, 0.3290f});
-  for (const bool wide : {false, true}) {
+  const Imf::Chromaticities xyz({1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, 0.0f}, {0.3127f, 0.3290f});
+  const glm::dmat3 toRec2020({0.6274, 0.0691, 0.0164}, {0.3293, 0.9195, 0.0880},
+                             {0.0433, 0.0114, 0.8956});  // ITU-R BT.2087
+  // IEC 61966-2-1, over the white's X and Z: as primaries, each of X, Y and Z is 1 in white.
+  const glm::dmat3 toXyz({0.4124 / 0.9505, 0.2126, 0.0193 / 1.0890}, {0.3576 / 0.9505, 0.7152, 0.1192 / 1.0890},
+                         {0.1805 / 0.9505, 0.0722, 0.9505 / 1.0890});
+  struct Primaries {
+    const char* name;
+    const Imf::Chromaticities* written;
+    glm::dmat3 fromRec709;
+  };
+  for (const auto& [name, written, fromRec709] :
+       {Primaries{"Rec. 709", nullptr, glm::dmat3(1.0)}, Primaries{"Rec. 2020", &rec2020, toRec2020},
+        Primaries{"XYZ", &xyz, toXyz}}) {
     std::vector<Imf::Rgba> pixels;
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
-        glm::vec3 color = paint(x, y);
-        if (wide) {  // the same light in Rec. 2020: ITU-R BT.2087
-          color = {0.6274f * color.x + 0.3293f * color.y + 0.0433f * color.z,
-                   0.0691f * color.x + 0.9195f * color.y + 0.0114f * color.z,
-                   0.0164f * color.x + 0.0880f * color.y + 0.8956f * color.z};
-        }
+        const glm::vec3 color(fromRec709 * glm::dvec3(paint(x, y)));
         pixels.emplace_back(color.x, color.y, color.z);
       }
     }
     {
       Imf::Header header(kWidth, kHeight);
-      if (wide) Imf::addChromaticities(header, rec2020);
+      if (written != nullptr) Imf::addChromaticities(header, *written);
       Imf::RgbaOutputFile out(file("a.exr").c_str(), header, Imf::WRITE_YC);
       out.setFrameBuffer(pixels.data(), 1, kWidth);
       out.writePixels(kHeight);
@@ -224,7 +232,7 @@ TEST_F(Environment, LuminanceAndChromaAreColours) {
         for (int c = 0; c < 3; ++c) worst = std::max<double>(worst, std::abs(drawn[c] / right[c] - 1.0f));
       }
     }
-    EXPECT_LT(worst, 0.02) << (wide ? "Rec. 2020" : "Rec. 709");
+    EXPECT_LT(worst, 0.02) << name;
   }
 }
 

@@ -251,6 +251,8 @@ TEST_F(ModelGeometry, TextFilesWithBuffersBesideThemAndDataUris) {
   empty.json["bufferViews"][0]["byteLength"] = 36;
   write("data.gltf", empty.gltf(data));
   EXPECT_EQ(corners(loadModelFile(file("data.gltf")).meshes.at(0))[2], vec3(0, 1, 0));
+  write("data.gltf", empty.gltf("DATA:Application/Octet-Stream;Base64," + data.substr(data.find(',') + 1)));
+  EXPECT_EQ(corners(loadModelFile(file("data.gltf")).meshes.at(0))[2], vec3(0, 1, 0)) << "schemes in capitals";
 }
 
 // Between keys with tangents lies a cubic: here by its Bezier points, halved towards each other.

@@ -126,7 +126,7 @@ TEST_F(RadianceFile, EveryOrderOfLinesByEveryKindOfRuns) {
 
 // Filament 1937, loaders.gl 3327: without runs, and the first bytes of a line look like the head of some.
 TEST_F(RadianceFile, PixelsThatLookLikeRuns) {
-  for (const Pixel& first : {Pixel{2, 2, 3, 140}, Pixel{2, 2, 0, 16}, Pixel{1, 1, 1, 140}, Pixel{1, 1, 1, 1}}) {
+  for (const Pixel& first : {Pixel{2, 2, 3, 140}, Pixel{2, 2, 0, 16}, Pixel{1, 1, 1, 140}}) {
     std::string pixels = flatLine(std::vector<Pixel>(16 * 8, Pixel{128, 64, 32, 129}));
     pixels.replace(4 * 16 * 2, 4, std::string(first.begin(), first.end()));  // the first of the third line
     write("a.hdr", kHead + "\n-Y 8 +X 16\n" + pixels);

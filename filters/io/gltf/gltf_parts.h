@@ -48,6 +48,9 @@ struct GltfFile {
 /// required extensions.
 GltfFile openGltf(const std::string& path);
 
+/// Does the URI hold its data? Schemes may be written in capitals (RFC 3986, section 3.1).
+bool isDataUri(const std::string& uri);
+
 /// The contents of the file that `uri` (percent-encoded) names beside the model, or of a data URI; null if no such file
 /// exists. Throws InputError for a file outside the model's folder.
 std::unique_ptr<std::string> readUri(const GltfFile& file, const std::string& uri);

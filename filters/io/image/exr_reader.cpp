@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "filters/core/base/errors.h"
@@ -178,7 +179,9 @@ void colorsOfChroma(ImageRgbaF& image, const Imf::Header& header, const CoarseCh
       Imf::hasChromaticities(header) ? Imf::chromaticities(header) : Imf::Chromaticities();
   const Imath::M44f matrix = Imf::RGBtoXYZ(primaries, 1.0f);
   glm::dvec3 share(matrix[0][1], matrix[1][1], matrix[2][1]);  // of red, green and blue in the luminance
-  if (!(share.x > 0.0 && share.y > 0.0 && share.z > 0.0)) share = {0.2126, 0.7152, 0.0722};
+  const double all = share.x + share.y + share.z;
+  // Green follows from the rest; of XYZ as primaries all luminance is green.
+  if (!(share.y > 1e-3 * std::fabs(all) && all > 0.0)) share = {0.2126, 0.7152, 0.0722};
   share /= share.x + share.y + share.z;
   std::size_t texel = 0;
   for (int y = 0; y < image.height; ++y) {
