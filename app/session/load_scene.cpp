@@ -9,12 +9,14 @@
 #include <tuple>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/core/geometry/mirror_plane.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/core/geometry/world_extent.h"
 #include "filters/io/cube/sky_picture.h"
 #include "filters/io/files/absolute_path.h"
 #include "filters/io/files/data_folder.h"
+#include "filters/io/files/other_formats.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/gl/cpu_time.h"
@@ -172,6 +174,8 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
     adoptFromModels(loaded);
     requireMirrors(loaded, path);
   } else {
+    const std::string advice = conversionAdvice(lowerExtension(path));
+    if (!advice.empty()) throw InputError(path + ": " + advice);
     throw InputError(path + ": neither a scene (.boxprobe.json) nor a model (" + modelFilePatterns() + ")");
   }
   loaded.warnings = sceneWarnings(loaded.scene, loaded.models);

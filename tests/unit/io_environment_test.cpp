@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <gmock/gmock.h>
 
@@ -184,6 +185,72 @@ TEST_F(Environment, LayersAreFoundByTheirNames) {
     made(16, 8, pattern,
          {p + (lower ? "r" : "R"), p + (lower ? "g" : "G"), p + (lower ? "b" : "B"), [](Imf::Header&) {}});
     EXPECT_EQ(at(readSky(file("a.exr")), 5, 2), pattern(5, 2)) << prefix;
+  }
+}
+
+// Written by OpenEXR's own class for luminance and chroma, whose filters blur hues by a texel or two: a smooth picture.
+TEST_F(Environment, LuminanceAndChromaAreColours) {
+  constexpr int kWidth = 64, kHeight = 32;
+  const auto paint = [](int x, int y) {
+    const double along = 2.0 * kPi * x / kWidth, down = kPi * y / kHeight;
+    return glm::vec3(2.0 + std::sin(along), 1.0 + 0.5 * std::cos(along + down), 3.0 - 2.0 * std::sin(down));
+  };
+  const Imf::Chromaticities rec2020({0.708f, 0.292f}, {0.170f, 0.797f}, {0.131f, 0.046f}, {0.3127f, 0.3290f});
+  const Imf::Chromaticities xyz({1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, 0.0f}, {0.3127f, 0.3290f});
+  const glm::dmat3 toRec2020({0.6274, 0.0691, 0.0164}, {0.3293, 0.9195, 0.0880},
+                             {0.0433, 0.0114, 0.8956});  // ITU-R BT.2087
+  // IEC 61966-2-1, over the white's X and Z: as primaries, each of X, Y and Z is 1 in white.
+  const glm::dmat3 toXyz({0.4124 / 0.9505, 0.2126, 0.0193 / 1.0890}, {0.3576 / 0.9505, 0.7152, 0.1192 / 1.0890},
+                         {0.1805 / 0.9505, 0.0722, 0.9505 / 1.0890});
+  struct Primaries {
+    const char* name;
+    const Imf::Chromaticities* written;
+    glm::dmat3 fromRec709;
+  };
+  for (const auto& [name, written, fromRec709] :
+       {Primaries{"Rec. 709", nullptr, glm::dmat3(1.0)}, Primaries{"Rec. 2020", &rec2020, toRec2020},
+        Primaries{"XYZ", &xyz, toXyz}}) {
+    std::vector<Imf::Rgba> pixels;
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const glm::vec3 color(fromRec709 * glm::dvec3(paint(x, y)));
+        pixels.emplace_back(color.x, color.y, color.z);
+      }
+    }
+    {
+      Imf::Header header(kWidth, kHeight);
+      if (written != nullptr) Imf::addChromaticities(header, *written);
+      Imf::RgbaOutputFile out(file("a.exr").c_str(), header, Imf::WRITE_YC);
+      out.setFrameBuffer(pixels.data(), 1, kWidth);
+      out.writePixels(kHeight);
+    }
+    const ImageRgbaF sky = readSky(file("a.exr"));
+    double worst = 0.0;
+    for (int y = 4; y < kHeight - 4; ++y) {
+      for (int x = 4; x < kWidth - 4; ++x) {
+        const glm::vec3 right = paint(x, y), drawn = at(sky, x, y);
+        for (int c = 0; c < 3; ++c) worst = std::max<double>(worst, std::abs(drawn[c] / right[c] - 1.0f));
+      }
+    }
+    EXPECT_LT(worst, 0.02) << name;
+  }
+}
+
+TEST_F(Environment, OneChannelIsGreyWhateverItsName) {
+  for (const char* name : {"V", "R", "luma"}) {
+    const Imath::Box2i all = window(0, 0, 8, 4);
+    Imf::Header header(all, all);
+    std::vector<float> values(32);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.25f * static_cast<float>(i);
+    Imf::FrameBuffer buffer;
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), all));
+    {
+      Imf::OutputFile out(file("a.exr").c_str(), header);
+      out.setFrameBuffer(buffer);
+      out.writePixels(4);
+    }
+    EXPECT_EQ(at(readSky(file("a.exr")), 5, 2), glm::vec3(0.25f * 21)) << name;
   }
 }
 

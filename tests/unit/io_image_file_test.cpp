@@ -126,7 +126,8 @@ TEST_F(ImageFile, LuminanceAloneIsGrey) {
 TEST_F(ImageFile, ChannelsThatAreNoPictureAreListed) {
   writeOther(file("z.exr"), 3, 2, Imf::FLOAT, {"Z", "id"}, false);
   EXPECT_EQ(errorText([&] { loadHdrImage(file("z.exr")); }),
-            file("z.exr") + ": part 0 has the channels Z, id; R, G and B, or Y alone, are needed");
+            file("z.exr") +
+                ": part 0 has the channels Z, id; R, G and B, or luminance Y, alone or with RY and BY, are needed");
 }
 
 TEST_F(ImageFile, ReadsRadianceHdr) {

@@ -251,6 +251,8 @@ TEST_F(ModelGeometry, TextFilesWithBuffersBesideThemAndDataUris) {
   empty.json["bufferViews"][0]["byteLength"] = 36;
   write("data.gltf", empty.gltf(data));
   EXPECT_EQ(corners(loadModelFile(file("data.gltf")).meshes.at(0))[2], vec3(0, 1, 0));
+  write("data.gltf", empty.gltf("DATA:Application/Octet-Stream;Base64," + data.substr(data.find(',') + 1)));
+  EXPECT_EQ(corners(loadModelFile(file("data.gltf")).meshes.at(0))[2], vec3(0, 1, 0)) << "schemes in capitals";
 }
 
 // Between keys with tangents lies a cubic: here by its Bezier points, halved towards each other.
@@ -299,10 +301,30 @@ TEST_F(ModelGeometry, PlanesThatCutTheModelAreNamed) {
       "has cameras whose near or far plane cuts off a part of the model, which is drawn all the same (cut: 6 to 20)");
   EXPECT_EQ(warningsWith(perspective(0.1, 4.0)).size(), 1u);
   const Json parallel = {{"type", "orthographic"},
-                         {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0.1}, {"zfar", 4.5}}}};
+                         {"orthographic", {{"xmag", 16.0 / 9}, {"ymag", 1}, {"znear", 0.1}, {"zfar", 4.5}}}};
   EXPECT_EQ(warningsWith(parallel).size(), 1u);
   glb.json["nodes"].back()["translation"] = {100.3, 0.3, 5.0};
   EXPECT_TRUE(warningsWith(perspective(6.0, 20.0)).empty()) << "what a camera does not see is not cut off";
+}
+
+TEST_F(ModelGeometry, ACameraOfAnotherShapeIsNamed) {
+  glb.triangle();
+  glb.json["nodes"].push_back({{"camera", 0}, {"translation", {0.3, 0.3, 5.0}}, {"name", "film"}});
+  if (glb.json.contains("scenes")) glb.json["scenes"][0]["nodes"].push_back(glb.json["nodes"].size() - 1);
+  const auto warningsOf = [&](const Json& camera) {
+    glb.json["cameras"] = Json::array({camera});
+    return load().warnings;
+  };
+  const auto perspective = [](double aspect) {
+    return Json{{"type", "perspective"}, {"perspective", {{"yfov", 0.6}, {"znear", 0.1}, {"aspectRatio", aspect}}}};
+  };
+  EXPECT_TRUE(warningsOf(perspective(1.7778)).empty());
+  const std::string wide = "has cameras whose picture is not 16:9; theirs is --size 1692x720 (film)";
+  EXPECT_EQ(warningsOf(perspective(2.35)), std::vector<std::string>{wide});
+  const std::string square = "has cameras whose picture is not 16:9; theirs is --size 720x720 (film)";
+  EXPECT_EQ(warningsOf(
+                {{"type", "orthographic"}, {"orthographic", {{"xmag", 3}, {"ymag", 3}, {"znear", 0.1}, {"zfar", 20}}}}),
+            std::vector<std::string>{square});
 }
 
 TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {

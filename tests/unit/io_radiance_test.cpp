@@ -124,6 +124,22 @@ TEST_F(RadianceFile, EveryOrderOfLinesByEveryKindOfRuns) {
   }
 }
 
+// Filament 1937, loaders.gl 3327: without runs, and the first bytes of a line look like the head of some.
+TEST_F(RadianceFile, PixelsThatLookLikeRuns) {
+  for (const Pixel& first : {Pixel{2, 2, 3, 140}, Pixel{2, 2, 0, 16}, Pixel{1, 1, 1, 140}}) {
+    std::string pixels = flatLine(std::vector<Pixel>(16 * 8, Pixel{128, 64, 32, 129}));
+    pixels.replace(4 * 16 * 2, 4, std::string(first.begin(), first.end()));  // the first of the third line
+    write("a.hdr", kHead + "\n-Y 8 +X 16\n" + pixels);
+    const ImageRgbaF image = loadHdrImage(file("a.hdr"));
+    for (std::size_t i = 0; i < 16 * 8; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float right = valueOf(i == 16 * 2 ? first : Pixel{128, 64, 32, 129}, static_cast<int>(c));
+        ASSERT_EQ(image.pixels[4 * i + c], right) << i << " of " << int(first[0]) << " " << int(first[3]);
+      }
+    }
+  }
+}
+
 TEST_F(RadianceFile, OldRunsAbove255RepeatInTurn) {
   // 1 + 231 + 3 * 256 = 1000 pixels, then a second line of its own colour.
   const std::string line{"\x80\x40\x20\x81\1\1\1\xe7\1\1\1\3"}, other{"\x90\x50\x30\x82\1\1\1\xe7\1\1\1\3"};

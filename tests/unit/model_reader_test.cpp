@@ -202,6 +202,24 @@ TEST_F(ModelReader, StlAsItIsFound) {
   expectRefused("m.stl",
                 "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\nvertex 1 0 0\nvertex 0 1 0\nendloop\n",
                 "not finite");
+  // The language of the author's computer; each number stands between spaces, so nothing else can be meant.
+  const Model commas = read("d.stl",
+                            "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0,5 0 0\nvertex -1,25e0 0 0\n"
+                            "vertex 0 +3,5 0\nendloop\nendfacet\nendsolid\n");
+  ASSERT_EQ(commas.triangleCount(), 1u);
+  EXPECT_EQ(commas.meshes[0].positions[0], glm::vec3(0.5f, 0, 0));
+  EXPECT_EQ(commas.meshes[0].positions[1], glm::vec3(-1.25f, 0, 0));
+  EXPECT_EQ(commas.meshes[0].positions[2], glm::vec3(0, 3.5f, 0));
+  EXPECT_EQ(commas.warnings, std::vector<std::string>{"has decimal commas, which are read as points"});
+  for (const char* word : {"1,2,3", "1,000.5", ",5", "5,", "1,x"}) {
+    expectRefused("m.stl", "solid a\nfacet\nouter loop\nvertex " + std::string(word) + " 0 0\n", "is not a number");
+  }
+  // A count that was never written, with triangles up to the end of the file.
+  const Model uncounted = read("u.stl", binaryStl(0, 3));
+  EXPECT_EQ(uncounted.triangleCount(), 3u);
+  ASSERT_EQ(uncounted.warnings.size(), 1u);
+  EXPECT_NE(uncounted.warnings[0].find("promises 0 triangles and holds 3"), std::string::npos);
+  expectRefused("m.stl", binaryStl(0, 1) + "behind", "has no triangles");
   expectRefused("m.stl", "solid a\nfacet\nbanana\n", "m.stl:3: \"banana\" is not of STL");
 }
 
@@ -286,7 +304,12 @@ TEST_F(ModelReader, BrokenFilesAreRefusedInOneLine) {
   vtp = kVtp;
   expectRefused("m.vtp", vtp.replace(vtp.find("0 1 2"), 5, "0 1 7"), "corner 7");
   expectRefused("m.vtp", std::string(kVtp).substr(0, 200), "m.vtp");
-  expectRefused("m.3ds", "x", ".3ds files are not supported");
+  expectRefused("m.3ds", "x", "m.3ds: 3D Studio files are not read; convert it with assimp-utils: assimp export");
+  for (const char* other : {"m.fbx", "m.usd", "m.usda", "m.usdc", "m.usdz", "m.dae", "m.abc", "M.FBX"}) {
+    expectRefused(other, "x", "files are not read; import it into Blender and export glTF");
+  }
+  expectRefused("m.blend", "x", "open it in Blender and export glTF");
+  expectRefused("m.qqq", "x", ".qqq files are not supported");
 }
 
 }  // namespace

@@ -106,7 +106,8 @@ TEST_F(PlyReader, HeadersAreReadStrictly) {
 }
 
 TEST_F(PlyReader, TextBodiesHaveTheirWords) {
-  expectRefused(kHeader + "\n" + kPoints + "3 0 1 2\n", ":10: the line is empty; delete it");
+  expectRefused(kHeader + "\n" + kPoints + "\n",
+                ":15: the file ends here, but 1 of \"face\" are promised; the file is cut off");
   expectRefused(kHeader + "0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
                 ":10: the line has 2 words, too few for \"z\"; complete the line");
   expectRefused(kHeader + "0 0 a\n1 0 0\n0 1 0\n3 0 1 2\n", ":10: \"a\" is not a number (\"z\"); correct it");

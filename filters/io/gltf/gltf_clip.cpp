@@ -1,4 +1,6 @@
-// Near and far planes of a file's cameras: ours see everything, so what they would have cut off is said.
+// Near and far planes and picture shapes of a file's cameras: ours see everything, in a picture of any shape, so what
+// is different is said.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -11,6 +13,7 @@ namespace boxprobe {
 
 namespace {
 
+constexpr double kUsualShape = 16.0 / 9.0, kSameShape = 0.01;
 constexpr double kWidestPicture = 4.0;  ///< width to height: the picture's shape is not the camera's here
 
 /// Is any position, seen by the camera, nearer than its near plane or beyond its far plane? Of files that place very
@@ -48,6 +51,18 @@ void warnOfClipping(GltfFile& file, const GltfNodes& nodes) {
         oneLine("has cameras whose near or far plane cuts off a part of the model, which is drawn all the same (" +
                 camera.name.substr(0, 200) + ": " + numberText(clip.near) + " to " +
                 (clip.far > 0.0 ? numberText(clip.far) : std::string("infinity")) + ")"));
+    return;
+  }
+}
+
+void warnOfShape(GltfFile& file, const GltfNodes& nodes) {
+  for (std::size_t i = 0; i < nodes.cameras.size(); ++i) {
+    const double aspect = nodes.clips[i].aspect;
+    if (!(aspect > 0.0 && std::isfinite(aspect)) || std::fabs(aspect / kUsualShape - 1.0) < kSameShape) continue;
+    constexpr double kHeight = 720.0, kMostPixels = 16384.0;
+    const double width = std::round(std::clamp(aspect * kHeight, 1.0, kMostPixels));
+    file.warn(oneLine("has cameras whose picture is not 16:9; theirs is --size " + numberText(width) + "x" +
+                      numberText(kHeight) + " (" + nodes.cameras[i].name.substr(0, 200) + ")"));
     return;
   }
 }

@@ -1,5 +1,6 @@
 // Opens a glTF or GLB file: the container, and buffers in separate files.
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <filesystem>
 
@@ -88,12 +89,18 @@ std::string percentDecoded(const std::string& uri) {
 }
 
 /// Decodes the data behind the comma. tinygltf accepts few media types, so all are renamed to one of them.
+bool sameIgnoringCase(const std::string& text, std::size_t at, const std::string& lower) {
+  if (at > text.size() || text.size() - at < lower.size()) return false;
+  return std::equal(lower.begin(), lower.end(), text.begin() + static_cast<std::ptrdiff_t>(at),
+                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
 std::string dataOf(const GltfFile& file, const std::string& uri) {
   const std::size_t comma = uri.find(',');
   const std::string kind = uri.substr(0, std::min(comma, std::size_t(100)));
   std::vector<unsigned char> bytes;
   std::string ignoredType;
-  const bool base64 = kind.size() >= 7 && kind.compare(kind.size() - 7, 7, ";base64") == 0;
+  const bool base64 = kind.size() >= 7 && sameIgnoringCase(kind, kind.size() - 7, ";base64");
   if (comma == std::string::npos || !base64 ||
       (comma + 1 < uri.size() &&
        !tinygltf::DecodeDataURI(&bytes, ignoredType, "data:application/octet-stream;base64," + uri.substr(comma + 1), 0,
@@ -144,8 +151,12 @@ void GltfFile::warn(const std::string& warning) {
   if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
 }
 
+bool isDataUri(const std::string& uri) {
+  return sameIgnoringCase(uri, 0, "data:");
+}
+
 std::unique_ptr<std::string> readUri(const GltfFile& file, const std::string& uri) {
-  if (uri.compare(0, 5, "data:") == 0) return std::make_unique<std::string>(dataOf(file, uri));
+  if (isDataUri(uri)) return std::make_unique<std::string>(dataOf(file, uri));
   const fs::path folder = fs::path(file.path).parent_path().empty() ? fs::path(".") : fs::path(file.path).parent_path();
   std::string name = percentDecoded(uri);
   if (name.find('\0') != std::string::npos) return nullptr;  // not a valid file name

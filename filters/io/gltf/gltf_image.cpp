@@ -19,7 +19,7 @@ bool readImage(GltfFile& file, int index, const std::string& where) {
     return false;
   }
   image.bytes = std::move(*bytes);
-  if (image.uri.compare(0, 5, "data:") == 0) image.uri = "data:";  // the rest is no longer needed
+  if (isDataUri(image.uri)) image.uri = "data:";  // the rest is no longer needed
   return true;
 }
 

@@ -97,13 +97,20 @@ void warnOfTheRest(GltfFile& file, const tinygltf::Primitive& primitive) {
   }
 }
 
-/// COLOR_0: three or four components; without alpha it is 1 (glTF 2.0, section 3.7.2.1).
-std::vector<glm::vec4> readColors(const GltfFile& file, const tinygltf::Primitive& primitive, std::size_t positions,
+/// COLOR_0: three or four components; without alpha it is 1 (glTF 2.0, section 3.7.2.1). Whole numbers must be marked
+/// as normalized. Blender 2.91 did not do so, and nothing else can be meant.
+std::vector<glm::vec4> readColors(GltfFile& file, const tinygltf::Primitive& primitive, std::size_t positions,
                                   const std::string& place) {
   const auto found = primitive.attributes.find("COLOR_0");
   if (found == primitive.attributes.end()) return {};
   std::vector<glm::vec4> colors;
-  if (componentCount(file, found->second, place + ": COLOR_0") == 3) {
+  const bool opaque = componentCount(file, found->second, place + ": COLOR_0") == 3;  // checks the index, too
+  tinygltf::Accessor& accessor = file.gltf.accessors[static_cast<std::size_t>(found->second)];
+  if (!accessor.normalized && accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
+    accessor.normalized = true;
+    file.warn("has vertex colours in whole numbers that are not marked as normalized; they are read as if they were");
+  }
+  if (opaque) {
     for (const glm::vec3& rgb : readAttribute<glm::vec3>(file, primitive, "COLOR_0", positions, place)) {
       colors.emplace_back(rgb, 1.0f);
     }

@@ -157,8 +157,13 @@ class NodeReader {
     nodes_.cameras.push_back(camera);
     const tinygltf::Camera& source = file_.gltf.cameras[static_cast<std::size_t>(node.camera)];
     const bool parallel = source.type == "orthographic";
-    nodes_.clips.push_back({parallel ? source.orthographic.znear : source.perspective.znear,
-                            parallel ? source.orthographic.zfar : source.perspective.zfar});
+    if (parallel) {
+      const tinygltf::OrthographicCamera& of = source.orthographic;
+      nodes_.clips.push_back({of.znear, of.zfar, of.xmag / of.ymag});  // ymag is above 0
+    } else {
+      const tinygltf::PerspectiveCamera& of = source.perspective;
+      nodes_.clips.push_back({of.znear, of.zfar, of.aspectRatio});
+    }
   }
 
   int mirroredMesh(int original) {

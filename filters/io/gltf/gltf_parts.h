@@ -48,6 +48,9 @@ struct GltfFile {
 /// required extensions.
 GltfFile openGltf(const std::string& path);
 
+/// Does the URI hold its data? Schemes may be written in capitals (RFC 3986, section 3.1).
+bool isDataUri(const std::string& uri);
+
 /// The contents of the file that `uri` (percent-encoded) names beside the model, or of a data URI; null if no such file
 /// exists. Throws InputError for a file outside the model's folder.
 std::unique_ptr<std::string> readUri(const GltfFile& file, const std::string& uri);
@@ -189,9 +192,10 @@ std::string nodePlace(const GltfFile& file, std::size_t index);
 /// Transforms of EXT_mesh_gpu_instancing; the identity for a node without it.
 std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t node);
 
-/// Distances of a camera's near and far plane; far 0: none.
+/// What a camera of ours has not: distances of its near and far plane (far 0: none), and the width of its picture over
+/// the height (0: any).
 struct GltfClip {
-  double near = 0.0, far = 0.0;
+  double near = 0.0, far = 0.0, aspect = 0.0;
 };
 
 /// The nodes of the default scene in world space.
@@ -210,5 +214,7 @@ Camera readCamera(GltfFile& file, int index, const glm::dmat4& worldFromNode, co
 
 /// Warns if a camera's near or far plane would cut off something that it sees.
 void warnOfClipping(GltfFile& file, const GltfNodes& nodes);
+/// Warns if a camera's picture has another shape than ours by default, 16:9.
+void warnOfShape(GltfFile& file, const GltfNodes& nodes);
 
 }  // namespace boxprobe

@@ -5,6 +5,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
+#include "filters/io/files/other_formats.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
@@ -34,6 +35,8 @@ Model loadModelFile(const std::string& path, const LoadProgress& progress, const
   };
   const std::string extension = lowerExtension(path);
   if (extension != ".gltf" && extension != ".glb") {
+    const std::string advice = conversionAdvice(extension);
+    if (!advice.empty()) throw InputError(path + ": " + advice);
     const std::string kind = extension.empty() ? "files without an extension" : extension + " files";
     throw InputError(path + ": " + kind + " are not supported; export the model as glTF (.glb or .gltf)");
   }
@@ -47,6 +50,7 @@ Model loadModelFile(const std::string& path, const LoadProgress& progress, const
   const GltfPose pose = state.seconds ? poseAt(file, *state.seconds) : GltfPose();
   GltfNodes nodes = readNodes(reading, pose, report(kMeshesFrom, 1.0));
   warnOfClipping(file, nodes);
+  warnOfShape(file, nodes);
   if (file.gltf.scenes.size() > 1) {
     file.warn("has " + std::to_string(file.gltf.scenes.size()) + " scenes, of which the default one is shown");
   }

@@ -1,6 +1,7 @@
 #include "filters/io/image/exr_reader.h"
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfChromaticities.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfIntAttribute.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "filters/core/base/errors.h"
@@ -68,14 +70,30 @@ std::optional<std::array<std::string, 4>> colorNames(const Imf::ChannelList& cha
   }
   return found;
 }
-// Luminance alone: with RY and BY it is chroma-subsampled colour, which is not supported.
-bool hasGrey(const Imf::ChannelList& channels) {
-  return channels.findChannel("Y") != nullptr && channels.findChannel("RY") == nullptr;
+/// Luminance and chroma: RY = (R - Y) / Y and BY = (B - Y) / Y, usually at half the resolution.
+bool hasChroma(const Imf::ChannelList& channels) {
+  return channels.findChannel("Y") && channels.findChannel("RY") && channels.findChannel("BY");
+}
+/// The channel of a grey picture: luminance, or the only one whatever its name (Blender writes "V"); else empty.
+std::string greyName(const Imf::ChannelList& channels) {
+  if (channels.findChannel("RY") || channels.findChannel("BY")) return {};
+  if (channels.findChannel("Y")) return "Y";
+  const auto first = channels.begin();
+  if (first == channels.end()) return {};
+  auto second = first;
+  const std::string name = first.name();
+  const bool alone = ++second == channels.end();
+  for (const char* other : {"Z", "distance", "A", "a"}) {
+    if (name == other) return {};
+  }
+  const bool colour = first.channel().type != Imf::UINT;  // else numbers of objects
+  return alone && colour ? name : std::string();
 }
 
 /// The stored channel for each of R, G, B, A; empty for none.
 struct ChannelPlan {
   std::array<std::string, 4> source;
+  bool chroma = false;  ///< luminance is read as red; RY and BY make it a colour
   std::string distance;
 };
 
@@ -83,15 +101,16 @@ ChannelPlan planChannels(const Imf::ChannelList& channels, const std::string& wh
   ChannelPlan plan;
   if (const auto colors = colorNames(channels)) {
     plan.source = *colors;
-  } else if (hasGrey(channels)) {
-    plan.source[0] = "Y";  // grey: copied to green and blue after reading
+  } else if (hasChroma(channels) || !greyName(channels).empty()) {
+    plan.chroma = hasChroma(channels);
+    plan.source[0] = plan.chroma ? "Y" : greyName(channels);  // grey: copied to green and blue after reading
     if (channels.findChannel("A") != nullptr) plan.source[3] = "A";
   } else {
     std::string names;
     for (auto it = channels.begin(); it != channels.end(); ++it)
       names += std::string(names.empty() ? "" : ", ") + it.name();
     throw InputError(oneLine(where + " has the channels " + (names.empty() ? "(none)" : names) +
-                             "; R, G and B, or Y alone, are needed"));
+                             "; R, G and B, or luminance Y, alone or with RY and BY, are needed"));
   }
   for (const char* name : {"Z", "distance"}) {
     if (channels.findChannel(name) != nullptr) plan.distance = name;
@@ -116,6 +135,65 @@ Size sizeOf(const Imath::Box2i& window) {
 
 void requireFlat(const Imf::Header& header, const std::string& where) {
   if (!isFlat(header)) throw InputError(where + " is deep data (" + oneLine(header.type()) + "); flatten it first");
+}
+
+/// A channel with fewer samples than pixels: one at each pixel whose coordinates are multiples of the sampling.
+class CoarseChannel {
+ public:
+  CoarseChannel(const Imf::Channel& channel, const Imath::Box2i& window)
+      : stepX_(channel.xSampling), stepY_(channel.ySampling), window_(window) {
+    // The library has checked that the window begins and ends at multiples of the steps.
+    width_ = std::max(sizeOf(window).width / stepX_, 1LL);
+    height_ = std::max(sizeOf(window).height / stepY_, 1LL);
+    values_.assign(static_cast<std::size_t>(width_ * height_), 0.0f);
+  }
+  Imf::Slice slice() {
+    return Imf::Slice::Make(Imf::FLOAT, values_.data(), window_, sizeof(float),
+                            sizeof(float) * static_cast<std::size_t>(width_), stepX_, stepY_);
+  }
+  /// Linear between samples, the last one beyond them; pixels from the window's corner.
+  double at(long long x, long long y) const {
+    const long long column = std::min(x / stepX_, width_ - 1), row = std::min(y / stepY_, height_ - 1);
+    const double right = static_cast<double>(x % stepX_) / stepX_, down = static_cast<double>(y % stepY_) / stepY_;
+    const auto mixed = [&](long long r) {
+      return (1.0 - right) * sample(column, r) + right * sample(std::min(column + 1, width_ - 1), r);
+    };
+    return (1.0 - down) * mixed(row) + down * mixed(std::min(row + 1, height_ - 1));
+  }
+
+ private:
+  double sample(long long column, long long row) const {
+    return values_[static_cast<std::size_t>(row * width_ + column)];
+  }
+
+  int stepX_, stepY_;
+  Imath::Box2i window_;
+  long long width_ = 0, height_ = 0;
+  std::vector<float> values_;
+};
+
+/// Luminance, which stands as red, and chroma become colours of the file's primaries.
+void colorsOfChroma(ImageRgbaF& image, const Imf::Header& header, const CoarseChannel& redChroma,
+                    const CoarseChannel& blueChroma) {
+  const Imf::Chromaticities primaries =
+      Imf::hasChromaticities(header) ? Imf::chromaticities(header) : Imf::Chromaticities();
+  const Imath::M44f matrix = Imf::RGBtoXYZ(primaries, 1.0f);
+  glm::dvec3 share(matrix[0][1], matrix[1][1], matrix[2][1]);  // of red, green and blue in the luminance
+  const double all = share.x + share.y + share.z;
+  // Green follows from the rest; of XYZ as primaries all luminance is green.
+  if (!(share.y > 1e-3 * std::fabs(all) && all > 0.0)) share = {0.2126, 0.7152, 0.0722};
+  share /= share.x + share.y + share.z;
+  std::size_t texel = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x, texel += 4) {
+      const double luminance = image.pixels[texel];
+      const double red = (redChroma.at(x, y) + 1.0) * luminance, blue = (blueChroma.at(x, y) + 1.0) * luminance;
+      const double green = (luminance - share.x * red - share.z * blue) / share.y;
+      image.pixels[texel] = static_cast<float>(red);
+      image.pixels[texel + 1] = static_cast<float>(green);
+      image.pixels[texel + 2] = static_cast<float>(blue);
+    }
+  }
 }
 
 /// Only of colours: grey has no primaries.
@@ -175,7 +253,8 @@ int picturePart(const Imf::MultiPartInputFile& file, const std::string& path) {
   int first = -1;
   for (int part = 0; part < file.parts(); ++part) {
     const Imf::Header& header = file.header(part);
-    const bool picture = isFlat(header) && (hasColor(header.channels()) || hasGrey(header.channels()));
+    const bool picture = isFlat(header) && (hasColor(header.channels()) || hasChroma(header.channels()) ||
+                                            !greyName(header.channels()).empty());
     if (!picture) continue;
     if (Imf::hasEnvmap(header)) return part;
     if (first < 0) first = part;
@@ -217,11 +296,19 @@ ExrPicture readExrPart(Imf::MultiPartInputFile& file, int index, const std::stri
     picture.distance.assign(texels, 0.0f);
     buffer.insert(plan.distance, Imf::Slice::Make(Imf::FLOAT, picture.distance.data(), window));
   }
+  std::optional<CoarseChannel> redChroma, blueChroma;
+  if (plan.chroma) {
+    redChroma.emplace(header.channels()["RY"], window);
+    blueChroma.emplace(header.channels()["BY"], window);
+    buffer.insert("RY", redChroma->slice());
+    buffer.insert("BY", blueChroma->slice());
+  }
   Imf::InputPart part(file, index);
   part.setFrameBuffer(buffer);
   part.readPixels(window.min.y, window.max.y);
+  if (plan.chroma) colorsOfChroma(image, header, *redChroma, *blueChroma);
   for (std::size_t texel = 0; texel < image.pixels.size(); texel += 4) {
-    if (plan.source[1].empty()) image.pixels[texel + 1] = image.pixels[texel + 2] = image.pixels[texel];
+    if (plan.source[1].empty() && !plan.chroma) image.pixels[texel + 1] = image.pixels[texel + 2] = image.pixels[texel];
     if (plan.source[3].empty()) image.pixels[texel + 3] = 1.0f;
   }
 
@@ -233,7 +320,7 @@ ExrPicture readExrPart(Imf::MultiPartInputFile& file, int index, const std::stri
     }
     picture.envmap = kind == Imf::ENVMAP_CUBE ? EnvmapKind::Cube : EnvmapKind::LatLong;
   }
-  if (!plan.source[1].empty()) readPrimaries(header, picture);
+  if (!plan.source[1].empty() || plan.chroma) readPrimaries(header, picture);
   const Imath::Box2i display = header.displayWindow();
   const Size displaySize = sizeOf(display);
   const auto asInt = [](long long value) { return static_cast<int>(std::clamp(value, -(1LL << 30), 1LL << 30)); };

@@ -36,8 +36,9 @@ void withExrFile(const std::string& path, const std::function<void(Imf::MultiPar
 /// with a layer of colours.
 int picturePart(const Imf::MultiPartInputFile& file, const std::string& path);
 
-/// Values as stored. Channels R, G, B and A, in lower case or of a layer ("ViewLayer.Combined.R"), or Y alone. Throws
-/// InputError with path, part and channel. Excessive sizes are refused before memory is allocated.
+/// Values as stored. Channels R, G, B and A, in lower case or of a layer ("ViewLayer.Combined.R"); Y, RY and BY as
+/// the colours they stand for; a single channel as grey. Throws InputError with path, part and channel. Excessive sizes
+/// are refused before memory is allocated.
 ExrPicture readExrPart(Imf::MultiPartInputFile& file, int part, const std::string& path);
 
 /// Converts the picture to Rec. 709 if its primaries are others.

@@ -66,7 +66,7 @@ class RadianceReader {
   RadiancePicture read() {
     readHeader();
     checkImageSize(name_, axes_.width, axes_.height);
-    readScanLines();
+    readBody();
     return picture();
   }
 
@@ -179,6 +179,20 @@ class RadianceReader {
   [[noreturn]] void endsEarly(std::size_t line) const {
     damaged("it ends in scan line " + std::to_string(line + 1) + " of " +
             std::to_string(axes_.columnsFirst ? axes_.width : axes_.height));
+  }
+
+  /// A file of four bytes per pixel may be without runs, and have pixels that look like the start of some: it is read
+  /// as runs only where these end with the file.
+  void readBody() {
+    const std::size_t body = at_, plain = 4 * static_cast<std::size_t>(axes_.width * axes_.height);
+    const bool maybePlain = bytes_.size() - body == plain;
+    try {
+      readScanLines();
+      if (!maybePlain || at_ == bytes_.size()) return;
+    } catch (const InputError&) {
+      if (!maybePlain) throw;
+    }
+    rgbe_.assign(bytes_.begin() + static_cast<std::ptrdiff_t>(body), bytes_.end());
   }
 
   void readScanLines() {

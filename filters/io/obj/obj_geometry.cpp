@@ -7,6 +7,7 @@
 
 #include "filters/core/base/one_line.h"
 #include "filters/core/base/printable_text.h"
+#include "filters/io/files/decimal_comma.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/mesh/polygon_triangles.h"
 #include "filters/io/obj/obj_text.h"
@@ -116,7 +117,10 @@ class GeometryReader {
       const std::string_view word = nextObjValue(line);
       if (word.empty()) break;
       if (!readObjNumber(word, numbers[count])) {
-        fail("\"" + std::string(word.substr(0, 40)) + "\" is not a number; correct it");
+        const auto comma = decimalCommaNumber(word);
+        if (!comma) fail("\"" + std::string(word.substr(0, 40)) + "\" is not a number; correct it");
+        numbers[count] = *comma;
+        commas_ = true;
       }
     }
     if (count < least) {
@@ -236,6 +240,7 @@ class GeometryReader {
   }
 
   void warn() {
+    if (commas_) result_.warnings.emplace_back(kDecimalCommas);
     if (colorAlpha_) result_.warnings.emplace_back("has an alpha in its vertex colours, which is left out");
     if (leftOut_.empty()) return;
     std::string text;
@@ -259,7 +264,7 @@ class GeometryReader {
   std::map<std::string, std::size_t> leftOut_;
   std::size_t faceLines_ = 0;
   float brightest_ = 0.0f;
-  bool colorAlpha_ = false;
+  bool colorAlpha_ = false, commas_ = false;
 };
 
 }  // namespace

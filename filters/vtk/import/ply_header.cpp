@@ -50,6 +50,8 @@ class HeaderReader {
     }
     checkWhole();
     header_.lines = line_;
+    // Lines that end with both, the wrong way round: the last one ends before the body.
+    if (bytes_.compare(0, 5, "ply\n\r") == 0 && next_ < bytes_.size() && bytes_[next_] == '\r') ++next_;
     header_.body = next_;
     return std::move(header_);
   }

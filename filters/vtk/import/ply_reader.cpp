@@ -170,13 +170,14 @@ class PlyValues {
   }
 
   void nextLine() {
-    ++line_;
-    if (at_ >= bytes_.size()) failCutOff();
-    const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
-    splitPlyLine(std::string_view(bytes_).substr(at_, end - at_), words_);
-    at_ = end + 1;
     word_ = 0;
-    if (words_.empty()) fail("the line is empty; delete it");
+    do {  // empty lines hold nothing: every entry has a word
+      ++line_;
+      if (at_ >= bytes_.size()) failCutOff();
+      const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
+      splitPlyLine(std::string_view(bytes_).substr(at_, end - at_), words_);
+      at_ = end + 1;
+    } while (words_.empty());
   }
 
   double nextWord(const PlyField& field, bool whole) {

@@ -8,6 +8,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
+#include "filters/io/files/decimal_comma.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/mesh/polygon_mesh.h"
 #include "filters/math/cube/srgb.h"
@@ -123,7 +124,12 @@ class StlColors {
 void readStlBinary(const std::string& path, const std::string& bytes, StlProgress& progress, Polygons& mesh,
                    std::vector<std::string>& warnings) {
   if (bytes.size() < kStlHeader) failStl(path, "", "is cut off: a binary STL file has a header of 84 bytes");
-  const std::size_t count = promisedTriangles(bytes), held = (bytes.size() - kStlHeader) / kStlTriangle;
+  const std::size_t held = (bytes.size() - kStlHeader) / kStlTriangle;
+  std::size_t count = promisedTriangles(bytes);
+  if (count == 0 && held > 0 && bytes.size() == kStlHeader + kStlTriangle * held) {
+    count = held;  // programs that write while they count leave 0 there if they cannot go back
+    warnings.emplace_back("promises 0 triangles and holds " + std::to_string(held) + ", which are read");
+  }
   if (count == 0) failStl(path, "", "has no triangles");
   if (count > held) {
     failStl(path, "",
@@ -174,14 +180,20 @@ class StlWords {
   std::size_t at_ = 0, line_ = 1;
 };
 
-void readStlText(const std::string& path, const std::string& bytes, StlProgress& progress, Polygons& mesh) {
+void readStlText(const std::string& path, const std::string& bytes, StlProgress& progress, Polygons& mesh,
+                 std::vector<std::string>& warnings) {
   StlWords words(bytes);
+  bool commas = false;
   const auto number = [&] {
     std::string_view word = words.next();
     const std::string told(word.substr(0, 40));
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     double value = 0.0;
     const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (const auto comma = decimalCommaNumber(word)) {
+      commas = true;
+      return *comma;
+    }
     if (result.ec == std::errc::invalid_argument || result.ptr != word.data() + word.size()) {
       failStl(path, words.place(), "\"" + told + "\" is not a number; \"vertex\" has three");
     }
@@ -208,17 +220,19 @@ void readStlText(const std::string& path, const std::string& bytes, StlProgress&
     }
   }
   if (corners != 0) failStl(path, words.place(), "the file ends within a loop; it is cut off");
+  if (commas) warnings.emplace_back(kDecimalCommas);
 }
 
 }  // namespace
 
 Model readStl(const std::string& path, const LoadProgress& progress) {
-  const std::string bytes = readWholeFile(path);
+  std::string bytes = readWholeFile(path);
+  if (bytes.compare(0, 8, "\xef\xbb\xbfsolid") == 0) bytes.erase(0, 3);  // a byte order mark
   StlProgress reported(path, progress);
   Polygons mesh;
   MeshModel made(path);
   if (isStlText(bytes)) {
-    readStlText(path, bytes, reported, mesh);
+    readStlText(path, bytes, reported, mesh, made.model().warnings);
   } else {
     readStlBinary(path, bytes, reported, mesh, made.model().warnings);
   }
