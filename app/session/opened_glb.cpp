@@ -7,10 +7,11 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/session/load_scene.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/engines/glb_probes.h"
+#include "filters/io/files/read_file.h"
+#include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
 
@@ -43,7 +44,7 @@ void removeOld(const fs::path& cache) {
 
 /// Where the file is unpacked, which happens now if it has not.
 std::string unpackedFolder(const std::string& path) {
-  const fs::path cache = cacheFolder(), folder = cache / fileDigest(path);
+  const fs::path cache = cacheFolder(), folder = cache / ContentHash().add(readWholeFile(path)).text();
   std::error_code error;
   if (fs::is_directory(folder, error)) {
     fs::last_write_time(folder, fs::file_time_type::clock::now(), error);

@@ -41,7 +41,7 @@ TEST_F(LiveLinkTest, AnEditStandsInTheFileAndMapsFollow) {
   LiveLink& link = window_->liveLink();
   QSignalSpy failed(&link, &LiveLink::failed);
   link.start(path());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return countedRevision() >= 1; }, 30000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return countedRevision() >= 1; }, 300000));
   const Probe probe = document().scene().probes.at(0);
   const glm::dvec3 moved = probe.box.max + glm::dvec3(0.25, 0.5, 0.125);
   const int before = link.revision();
@@ -58,10 +58,10 @@ TEST_F(LiveLinkTest, AnEditStandsInTheFileAndMapsFollow) {
     return sides;
   };
   // What was under way before the edit may be written first.
-  EXPECT_TRUE(QTest::qWaitFor([&] { return glm::length(size() - (moved - probe.box.min)) < 1e-5; }, 30000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return glm::length(size() - (moved - probe.box.min)) < 1e-5; }, 300000));
   EXPECT_GT(link.revision(), before);
   // With all maps in the end, without another edit.
-  ASSERT_TRUE(QTest::qWaitFor([&] { return extension()["probes"][0].contains("map"); }, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return extension()["probes"][0].contains("map"); }, 300000));
   const int ended = link.revision();
   link.stop();
   document().commit("Move it back", [&](Scene& scene) { scene.probes[0].box.max = probe.box.max; });
