@@ -8,12 +8,14 @@
 #include <optional>
 #include <tuple>
 
+#include "app/session/opened_glb.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
 #include "filters/core/geometry/mirror_plane.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/core/geometry/world_extent.h"
 #include "filters/io/cube/sky_picture.h"
+#include "filters/io/engines/glb_probes.h"
 #include "filters/io/files/absolute_path.h"
 #include "filters/io/files/data_folder.h"
 #include "filters/io/files/other_formats.h"
@@ -161,7 +163,13 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
   if (!fs::exists(path, ignored)) throw InputError(path + ": no such file");
   if (fs::is_directory(path, ignored)) throw InputError(path + ": this is a folder; name a scene or model file in it");
   LoadedScene loaded;
-  if (isModelPath(path)) {
+  if (holdsProbes(path)) {
+    loaded.scene = openGlbScene(path);
+    setSceneFields(loaded.scene, assignments);
+    loaded.models = loadModels(loaded.scene, progress);
+    checkExtent(loaded.scene, loaded.models);
+    requireMirrors(loaded, path);
+  } else if (isModelPath(path)) {
     loaded = loadBareModel(path, assignments, progress, std::move(wishes));
     requireMirrors(loaded, path);
   } else if (endsWith(path, ".json")) {

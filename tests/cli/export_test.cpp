@@ -2,7 +2,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "filters/io/image/image_file.h"
 #include "tests/cli/program.h"
@@ -82,6 +90,116 @@ TEST(Export, APageNamesTheFilesBesideIt) {
   }
 }
 
+/// A scene without symmetry, with what a .glb has to carry: a turned box, changed materials, a light, a sky of a file.
+std::string glbRoom(const TemporaryFolder& folder) {
+  Json scene = Json::parse(readFile(demoScene("room")));
+  scene["model"] = std::string(BOXPROBE_DATA_DIR) + "/scenes/room.glb";
+  scene["materials"]["floor"] = {{"baseColor", {0.7, 0.6, 0.4}}, {"metallic", 0}, {"roughness", 0.4}};
+  scene["lights"] = Json::array({{{"type", "point"}, {"position", {1, 2, 0.5}}, {"intensity", 3}}});
+  scene["sky"] = {{"image", "sky.exr"}, {"rotationDegrees", 40}};
+  scene["probes"][0]["faceSize"] = 32;
+  scene["probes"][0]["rotationDegrees"] = {0, 7, 0};
+  ImageRgbaF sky;
+  sky.width = 16;
+  sky.height = 8;
+  for (int i = 0; i < 16 * 8; ++i) {
+    for (const float value : {0.1f * static_cast<float>(i % 16), 0.3f, 0.05f * static_cast<float>(i / 16), 1.0f}) {
+      sky.pixels.push_back(value);
+    }
+  }
+  saveExr(folder.path("sky.exr"), sky);
+  return folder.write("room.boxprobe.json", scene.dump());
+}
+
+TEST(Export, OneFileHoldsTheSceneAndOpensAsItWasBaked) {
+  const TemporaryFolder folder;
+  const std::string scene = glbRoom(folder), glb = folder.path("out.glb");
+  if (std::getenv("MESA_SHADER_CACHE_DIR") == nullptr && std::getenv("HOME") != nullptr) {
+    ::setenv("MESA_SHADER_CACHE_DIR", (std::string(std::getenv("HOME")) + "/.cache").c_str(), 1);
+  }
+  ::setenv("XDG_CACHE_HOME", folder.path("cache").c_str(), 1);
+  ASSERT_EQ(runProgram({"bake", scene, "--quiet"}).exitStatus, 0);
+  const Outcome exported =
+      runProgram({"export", scene, "-o", glb, "--format", "glb", "--stats", folder.path("s.json")});
+  ASSERT_EQ(exported.exitStatus, 0) << exported.err;
+  EXPECT_EQ(exported.out, glb + "\n");
+  EXPECT_EQ(Json::parse(readFile(folder.path("s.json")))["counters"]["facesCaptured"], 0) << "baked files serve";
+  const auto drawn = [&](const std::string& path, const std::string& picture) {
+    const Outcome outcome = runProgram({"render", path, "-o", folder.path(picture), "--size", "48x30", "--camera", "A",
+                                        "--stats", folder.path("s.json"), "--quiet"});
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(readFile(folder.path("s.json")))["counters"]["facesCaptured"], 0) << path;
+    return loadHdrImage(folder.path(picture)).pixels;
+  };
+  const std::vector<float> before = drawn(scene, "before.exr");
+  // Nothing beside it is needed.
+  for (const char* name : {"room.boxprobe.json", "sky.exr", "room.probes"}) {
+    std::filesystem::rename(folder.path(name), folder.path("gone " + std::string(name)));
+  }
+  EXPECT_EQ(drawn(glb, "after.exr"), before);
+  EXPECT_NE(drawn(glb, "again.exr"), std::vector<float>(before.size(), 0.0f));
+  // The scene on top of the file: a field is set as in any scene.
+  const Outcome set = runProgram({"info", glb, "--set", "probes.room.intensity=2", "--quiet"});
+  EXPECT_EQ(set.exitStatus, 0) << set.err;
+  std::string cut = readFile(glb);
+  cut[cut.find("\"version\":1") + 10] = '7';
+  const Outcome refused = runProgram({"render", folder.write("seven.glb", cut), "-o", folder.path("no.png")});
+  EXPECT_EQ(refused.exitStatus, 2);
+  ASSERT_EQ(refused.errLines().size(), 1u) << refused.err;
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("seven.glb"), HasSubstr("version")));
+  ::unsetenv("XDG_CACHE_HOME");
+}
+
+/// The JSON chunk of a .glb; null while there is none.
+Json glbJson(const std::string& path) {
+  if (!std::filesystem::exists(path)) return nullptr;
+  const std::string bytes = readFile(path);
+  std::uint32_t length = 0;
+  std::memcpy(&length, &bytes.at(12), 4);
+  return Json::parse(bytes.substr(20, length));
+}
+
+TEST(Export, WatchingFollowsTheSceneFile) {
+  const TemporaryFolder folder;
+  const std::string glb = folder.path("live.glb"), path = glbRoom(folder);
+  Json scene = Json::parse(readFile(path));
+  scene["probes"][0]["bounces"] = 1;
+  scene["probes"][0]["rotationDegrees"] = {0, 0, 0};
+  const auto save = [&](const std::string& text) {
+    folder.write("new.json", text);
+    std::filesystem::rename(folder.path("new.json"), path);
+  };
+  save(scene.dump());
+  RunningProgram program({"export", path, "-o", glb, "--format", "glb", "--watch"});
+  const auto waitFor = [&](const std::function<bool()>& holds) {
+    for (int i = 0; i < 1200 && !program.ended(); ++i) {
+      if (holds()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+  };
+  const auto height = [&] {
+    const Json root = glbJson(glb);
+    if (root.is_null()) return 0.0;
+    const Json& box = root["extensions"]["BOXPROBE_reflection_probes"]["probes"][0]["box"];
+    return box["max"][1].get<double>() - box["min"][1].get<double>();
+  };
+  ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(glb + ".revision"); }));
+  EXPECT_NEAR(height(), 3.0, 1e-5);
+  save("{\"format\": \"boxprobe-sc");
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_NEAR(height(), 3.0, 1e-5);
+  scene["probes"][0]["box"]["max"][1] = 2.5;
+  save(scene.dump());
+  EXPECT_TRUE(waitFor([&] { return std::abs(height() - 2.5) < 1e-5; }));
+  EXPECT_TRUE(waitFor([&] { return Json::parse(readFile(glb + ".revision"))["revision"] == 3; })) << "boxes, then maps";
+  ASSERT_TRUE(program.sendAtWork(SIGINT));
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.exitStatus, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("what was written before stays"));
+  EXPECT_THAT(folder.names(), ElementsAre("live.glb", "live.glb.revision", "room.boxprobe.json", "sky.exr"));
+}
+
 TEST(Export, BadUsageIsOneLineAndWritesNothing) {
   const TemporaryFolder folder;
   folder.write("file", "");
@@ -93,6 +211,8 @@ TEST(Export, BadUsageIsOneLineAndWritesNothing) {
       {{"--technique", "box"}, "--shader"},
       {{"--format", "web", "--ladder", "three"}, "whole scene"},
       {{"--format", "web", "--center"}, "whole scene"},
+      {{"--format", "glb", "--ladder", "three"}, "whole scene"},
+      {{"--format", "glb", "--lossy"}, "whole scene"},
       {{"--shader", "wgsl"}, "glsl, hlsl, godot"},
       {{"--shader", "glsl", "--technique", "impostor"}, "distances"},
   };

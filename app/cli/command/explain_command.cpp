@@ -13,12 +13,12 @@
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/opened_glb.h"
 #include "app/session/output_check.h"
 #include "app/session/scene_work.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/explain/explanation_text.h"
-#include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/math/technique/technique_table.h"
 #include "filters/vtk/gl/cpu_time.h"
@@ -68,7 +68,7 @@ void runExplain(const ExplainOptions& options) {
   OffscreenScene shown({"boxprobe explain", size.width, size.height, 1, options.report.quiet, false,
                         options.report.offscreen, drawsLittle(1, loaded.scene.probes.size())});
   ShownSettings settings{camera};
-  settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
+  settings.bakedFolder = bakedFolderOf(options.scenePath);
   shown.show(loaded.scene, loaded.models, settings);
   captureShown(shown, interrupt, options.report.quiet);
   const Explanation explanation = shown.renderer().explain(pixel.x, pixel.y, size.width, size.height);

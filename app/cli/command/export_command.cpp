@@ -2,21 +2,25 @@
 #include "app/cli/command/export_command.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <thread>
 
+#include "app/session/glb_export.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
+#include "app/session/opened_glb.h"
 #include "app/session/output_check.h"
 #include "app/session/probe_captures.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
 #include "app/web/web_folder.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/core/base/nearest_name.h"
-#include "filters/io/cube/bake_folder.h"
 #include "filters/io/engines/export_names.h"
 #include "filters/io/engines/ladder.h"
 #include "filters/io/engines/technique_text.h"
@@ -34,6 +38,7 @@ struct ExportOptions {
   std::string technique;  ///< of --shader; empty: the first probe's
   std::vector<std::string> probes;
   std::vector<std::string> assignments;
+  bool watch = false;
   ReportOptions report;
 };
 
@@ -96,13 +101,17 @@ std::vector<std::string> exportRemarks(const Scene& scene, const std::vector<std
   return remarks;
 }
 
-constexpr const char* kWebFormat = "web";  // the whole scene, not the pictures of exportFormats()
+// The whole scene, not the pictures of exportFormats().
+constexpr const char* kWebFormat = "web";
+constexpr const char* kGlbFormat = "glb";
 
-void checkWebExport(const ExportOptions& options) {
-  const auto refuse = [](bool given, const std::string& option) {
-    if (given) throw InputError(option + ": --format web writes the whole scene as it is; leave it out");
+void checkSceneExport(const ExportOptions& options) {
+  const auto refuse = [&options](bool given, const std::string& option) {
+    if (!given) return;
+    throw InputError(option + ": --format " + options.settings.format +
+                     " writes the whole scene as it is; leave it out");
   };
-  refuse(!options.probes.empty(), "--probe");
+  refuse(!options.probes.empty() && options.settings.format == kWebFormat, "--probe");
   refuse(options.settings.center, "--center");
   refuse(options.settings.lossy, "--lossy");
   refuse(options.settings.ladder != "own", "--ladder " + options.settings.ladder);
@@ -122,10 +131,135 @@ std::vector<std::string> exportWeb(const ExportOptions& options, const LoadedSce
   return writeWebFolder(scene, title.substr(0, title.find('.')), options.output);
 }
 
-void runExport(ExportOptions options) {
-  if (options.output.empty()) throw InputError("-o is missing: name a folder, or a file with --shader");
+/// The .glb that -o names, or the one in the folder that it names.
+std::string glbPath(const ExportOptions& options) {
+  if (lowerExtension(options.output) == ".glb") return options.output;
+  const std::string name = std::filesystem::path(options.scenePath).filename().string();
+  return (std::filesystem::path(options.output) / (name.substr(0, name.find('.')) + ".glb")).string();
+}
+
+/// What the export of a scene depends on.
+std::vector<std::string> filesOf(const std::string& scenePath, const Scene& scene) {
+  std::vector<std::string> files = {scenePath};
+  for (const ModelFile& model : scene.models) files.push_back(model.file);
+  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) files.push_back(image->file);
+  for (const Probe& probe : scene.probes) {
+    if (!probe.image.empty()) files.push_back(probe.image);
+  }
+  return files;
+}
+
+using FileStamps = std::map<std::string, std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
+
+/// Time and size of each file; those that are being replaced have none.
+FileStamps stampsOf(const std::vector<std::string>& files) {
+  FileStamps stamps;
+  for (const std::string& file : files) {
+    std::error_code missing, ignored;
+    const auto time = std::filesystem::last_write_time(file, missing);
+    stamps[file] = {missing ? std::filesystem::file_time_type::min() : time,
+                    missing ? 0 : std::filesystem::file_size(file, ignored)};
+  }
+  return stamps;
+}
+
+/// What stays between the exports of --watch.
+struct ExportRun {
+  ExportOptions options;
+  const InterruptGuard& interrupt;
+  std::unique_ptr<GlbExporter> glb;
+  std::vector<std::string> read;  ///< files that the last export was made of
+  int revision = 0;               ///< of the file, with --watch
+};
+
+void exportGlb(ExportRun& run, LoadedScene& loaded, const std::vector<std::string>& names) {
+  const ExportOptions& options = run.options;
+  auto& probes = loaded.scene.probes;
+  probes.erase(std::remove_if(probes.begin(), probes.end(),
+                              [&names](const Probe& probe) {
+                                return std::find(names.begin(), names.end(), probe.name) == names.end();
+                              }),
+               probes.end());
+  const std::string path = glbPath(options);
+  if (!run.glb) {
+    run.glb = std::make_unique<GlbExporter>(
+        GlbWishes{path, bakedFolderOf(options.scenePath), options.report.offscreen, options.report.quiet});
+  }
+  // Boxes first: who follows the file sees them before anything is captured.
+  if (const std::string quick = run.glb->bytesOfBefore(loaded); !quick.empty()) {
+    writeTextAtomically(path, quick);
+    writeRevision(path, ++run.revision);
+  }
+  writeTextAtomically(path, run.glb->bytes(loaded, run.interrupt));
+  finish(options, {path}, run.glb->stats());
+}
+
+void exportOnce(ExportRun& run) {
+  ExportOptions options = run.options;
+  const bool shader = !options.shader.empty(), web = !shader && options.settings.format == kWebFormat;
+  const bool glb = !shader && options.settings.format == kGlbFormat;
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, run.interrupt, options.report.quiet);
+  run.read = filesOf(options.scenePath, loaded.scene);
+  const std::vector<std::string> names = probesToExport(loaded.scene, options.probes);
+  // A size above the capture's is captured; one below is averaged from it, and a baked file serves.
+  for (const std::string& name : names) {
+    Probe& probe = loaded.scene.probes[*findProbe(loaded.scene, name)];
+    if (options.settings.faceSize != 0) probe.faceSize = std::max(probe.faceSize, options.settings.faceSize);
+    if ((shader || glb) && options.settings.faceSize != 0) probe.faceSize = options.settings.faceSize;
+  }
+  if (shader) return runShader(options, loaded.scene, names);
+  if (!glb || glbPath(options) != options.output) requireOutputFolder("-o", options.output);
+  if (!options.report.quiet) {
+    printWarnings(loaded.warnings);
+    if (!web && !glb) printWarnings(exportRemarks(loaded.scene, names, options.settings));
+  }
+  if (glb) return exportGlb(run, loaded, names);
+  const CaptureWishes wishes = {names, bakedFolderOf(options.scenePath), options.report.offscreen,
+                                options.report.quiet};
+  const CapturedProbes captured = captureProbes(loaded, wishes, run.interrupt);
+  if (web) return finish(options, exportWeb(options, loaded, captured), captured.stats);
+  ProgressLine line("filtering", !options.report.quiet);
+  options.settings.writer = "Boxprobe " BOXPROBE_VERSION;
+  const std::vector<std::string> files =
+      exportProbes(captured.captures, options.settings, options.output, [&](double fraction) {
+        line.show(fraction);
+        return !run.interrupt.interrupted();
+      });
+  run.interrupt.check();
+  finish(options, files, captured.stats);
+}
+
+/// Exports again when a file that the export was made of changes, until Ctrl-C.
+void watch(ExportRun& run) {
+  using namespace std::chrono_literals;
+  const bool glb = run.options.shader.empty() && run.options.settings.format == kGlbFormat;
+  const std::string output = glb ? glbPath(run.options) : run.options.output;
+  run.read = {run.options.scenePath};
+  FileStamps known;
+  while (!run.interrupt.interrupted()) {
+    const FileStamps now = stampsOf(run.read);
+    if (now == known) {
+      std::this_thread::sleep_for(50ms);
+      continue;
+    }
+    try {
+      exportOnce(run);
+      writeRevision(output, ++run.revision);
+      known = stampsOf(run.read);
+      for (const auto& [path, stamp] : now) known[path] = stamp;  // what changed meanwhile is exported once more
+    } catch (const Error& error) {
+      if (run.interrupt.interrupted()) break;
+      if (run.revision == 0) throw;  // the scene has never been right
+      printWarnings({std::string(error.what()) + "; what was written before stays"});
+      known = stampsOf(run.read);
+    }
+  }
+}
+
+void runExport(const ExportOptions& options) {
+  if (options.output.empty()) throw InputError("-o is missing: name a folder, or a file with --shader or --format glb");
   const bool shader = !options.shader.empty();
-  const bool web = !shader && options.settings.format == kWebFormat;
+  const bool web = options.settings.format == kWebFormat, glb = options.settings.format == kGlbFormat;
   if (shader) {
     if (shaderLanguages().count(options.shader) == 0) {
       throw InputError("--shader " + options.shader + ": no such language; there are: glsl, hlsl, godot");
@@ -133,38 +267,14 @@ void runExport(ExportOptions options) {
     requireWritable("-o", options.output);
   } else {
     if (!options.technique.empty()) throw InputError("--technique belongs to --shader; pictures have none");
-    web ? checkWebExport(options) : checkExportSettings(options.settings);
+    web || glb ? checkSceneExport(options) : checkExportSettings(options.settings);
   }
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  const bool glbFile = !shader && glb && glbPath(options) == options.output;
+  if (glbFile) requireWritable("-o", options.output);
   const InterruptGuard interrupt;
-  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet);
-  const std::vector<std::string> names = probesToExport(loaded.scene, options.probes);
-  // A size above the capture's is captured; one below is averaged from it, and a baked file serves.
-  for (const std::string& name : names) {
-    Probe& probe = loaded.scene.probes[*findProbe(loaded.scene, name)];
-    if (options.settings.faceSize != 0) probe.faceSize = std::max(probe.faceSize, options.settings.faceSize);
-    if (shader && options.settings.faceSize != 0) probe.faceSize = options.settings.faceSize;
-  }
-  if (shader) return runShader(options, loaded.scene, names);
-
-  requireOutputFolder("-o", options.output);
-  if (!options.report.quiet) {
-    printWarnings(loaded.warnings);
-    if (!web) printWarnings(exportRemarks(loaded.scene, names, options.settings));
-  }
-  const CaptureWishes wishes = {names, BakeFolder::besideScene(options.scenePath), options.report.offscreen,
-                                options.report.quiet};
-  const CapturedProbes captured = captureProbes(loaded, wishes, interrupt);
-  if (web) return finish(options, exportWeb(options, loaded, captured), captured.stats);
-  ProgressLine line("filtering", !options.report.quiet);
-  options.settings.writer = "Boxprobe " BOXPROBE_VERSION;
-  const std::vector<std::string> files =
-      exportProbes(captured.captures, options.settings, options.output, [&](double fraction) {
-        line.show(fraction);
-        return !interrupt.interrupted();
-      });
-  interrupt.check();
-  finish(options, files, captured.stats);
+  ExportRun run{options, interrupt, nullptr, {}, 0};
+  options.watch ? watch(run) : exportOnce(run);
 }
 
 std::string ladderHelp() {
@@ -182,12 +292,14 @@ Subcommand addExportCommand(CLI::App& program) {
       ->add_option("SCENE", options->scenePath,
                    "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
       ->required();
-  command->add_option("-o,--output", options->output, "Folder for the files; with --shader, the file")
+  command
+      ->add_option("-o,--output", options->output,
+                   "Folder for the files; with --shader, the file; with --format glb, either")
       ->type_name("DIR");
   command
       ->add_option("--format", options->settings.format,
                    "ktx2 or dds: cube of half floats with all levels; exr or hdr: latitude-longitude, level 0; web: a "
-                   "folder for a web server that draws the scene")
+                   "folder for a web server that draws the scene; glb: the model with its probes inside, one file")
       ->type_name("FORMAT")
       ->capture_default_str();
   command->add_option("--ladder", options->settings.ladder, ladderHelp())->type_name("LADDER")->capture_default_str();
@@ -204,6 +316,10 @@ Subcommand addExportCommand(CLI::App& program) {
       ->type_name("LANGUAGE");
   command->add_option("--technique", options->technique, "Technique of --shader (default: the first probe's)")
       ->type_name("ID");
+  command->add_flag(
+      "--watch", options->watch,
+      "Export again whenever the scene or its model is saved, until Ctrl-C; FILE.revision, or DIR/revision, "
+      "counts");
   command->add_option("--probe", options->probes, "Export only this probe (repeatable; default: all)")
       ->type_name("NAME")
       ->allow_extra_args(false);
@@ -219,6 +335,7 @@ Subcommand addExportCommand(CLI::App& program) {
       "  boxprobe export data/scenes/room.boxprobe.json -o out/room --format ktx2 --ladder three\n"
       "  boxprobe export data/scenes/room.boxprobe.json -o out/room --format dds --ladder babylon --size 128 --center\n"
       "  boxprobe export data/scenes/room.boxprobe.json -o out/viewer --format web\n"
+      "  boxprobe export data/scenes/room.boxprobe.json -o out/room.glb --format glb\n"
       "  boxprobe export data/scenes/room.boxprobe.json -o out/room.glsl --shader glsl --technique box+footprint4");
   return {command, [options] { runExport(*options); }};
 }

@@ -16,6 +16,7 @@
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/opened_glb.h"
 #include "app/session/progress_line.h"
 #include "app/session/reference_box_picture.h"
 #include "app/session/scene_work.h"
@@ -24,7 +25,6 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/scene/bounces.h"
 #include "filters/core/scene/material_override.h"
-#include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
@@ -100,7 +100,7 @@ std::shared_ptr<const ProbesDiffuse> lightOfProbes(const LoadedScene& loaded, co
   OffscreenScene shown({"boxprobe render", size.width, size.height, 1, options.report.quiet, false,
                         options.report.offscreen, drawsLittle(1, loaded.scene.probes.size())});
   ShownSettings settings{camera};
-  settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
+  settings.bakedFolder = bakedFolderOf(options.scenePath);
   shown.show(loaded.scene, loaded.models, settings);
   captureShown(shown, interrupt, options.report.quiet);
   shown.renderer().renderLinear(size.width, size.height, 1);  // lattices are derived when a frame asks for them
@@ -142,7 +142,7 @@ ReferencePicture boxPicture(const LoadedScene& loaded, const Camera& camera, con
   OffscreenScene shown({"boxprobe render", size.width, size.height, 1, options.report.quiet, false,
                         options.report.offscreen, drawsLittle(1, loaded.scene.probes.size())});
   ShownSettings settings{camera};
-  settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
+  settings.bakedFolder = bakedFolderOf(options.scenePath);
   shown.show(loaded.scene, loaded.models, settings);
   captureShown(shown, interrupt, options.report.quiet);
   ReferencePicture picture =

@@ -16,11 +16,11 @@
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/opened_glb.h"
 #include "app/session/output_check.h"
 #include "app/session/scene_work.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
-#include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
 
 namespace boxprobe {
@@ -117,7 +117,7 @@ void runRender(const RenderOptions& options) {
   keepToTheEnd(kept);
   OffscreenScene& shown = *kept;
   if (!linear && !options.report.quiet) warnOfSamples(shown, options.samples);
-  const ShownSettings settings{camera, options.probes == "on", BakeFolder::besideScene(options.scenePath), {}, view};
+  const ShownSettings settings{camera, options.probes == "on", bakedFolderOf(options.scenePath), {}, view};
   if (refine.rays > 0 && !options.report.quiet) warnOfUnrest(loaded.scene);
   shown.show(loaded.scene, loaded.models, settings);
   shown.renderer().refine(refine);

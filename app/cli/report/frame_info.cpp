@@ -7,9 +7,9 @@
 #include "app/session/automatic_exposure.h"
 #include "app/session/interrupt.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/opened_glb.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
-#include "filters/io/cube/bake_folder.h"
 
 namespace boxprobe {
 
@@ -60,7 +60,7 @@ FrameReport drawnFrameReport(LoadedScene& loaded, const std::string& scenePath, 
   OffscreenScene shown(
       {"boxprobe info --frame", frame.width, frame.height, 1, options.quiet, false, options.offscreen});
   ShownSettings settings{view};
-  settings.bakedFolder = BakeFolder::besideScene(scenePath);
+  settings.bakedFolder = bakedFolderOf(scenePath);
   shown.show(loaded.scene, loaded.models, settings);
   captureShown(shown, interrupt, options.quiet);
   exposeAutomatically(shown, loaded, settings, static_cast<double>(frame.width) / frame.height);

@@ -16,6 +16,7 @@
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/session/opened_glb.h"
 #include "filters/io/cube/bake_folder.h"
 
 namespace boxprobe {
@@ -99,7 +100,12 @@ void BakePanel::update() {
 }
 
 void BakePanel::sceneOpened(const std::string& scenePath) {
-  const std::string folder = scenePath.empty() ? std::string() : BakeFolder::besideScene(scenePath);
+  std::string folder;
+  try {
+    if (!scenePath.empty()) folder = bakedFolderOf(scenePath);
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
   renderer_.useBakedFiles(folder);
   const QDir files(QString::fromStdString(folder));
   checkFiles_ = !folder.empty() && !files.entryList({"*.exr"}, QDir::Files).isEmpty();

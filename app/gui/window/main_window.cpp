@@ -32,6 +32,7 @@
 #include "app/gui/window/autosave.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/lesson_dock.h"
+#include "app/gui/window/live_link.h"
 #include "app/gui/window/menu_bar.h"
 #include "app/gui/window/model_fitter.h"
 #include "app/gui/window/panel_docks.h"
@@ -41,6 +42,7 @@
 #include "app/gui/window/view_tools.h"
 #include "filters/core/geometry/probe_at.h"
 #include "filters/fit/rays/triangle_sight.h"
+#include "filters/io/engines/glb_probes.h"
 #include "filters/io/files/data_folder.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
@@ -98,6 +100,8 @@ MainWindow::MainWindow()
           },
           this)),
       exporter_(new ProbeExporter(document_, *renderer_, this)),
+      liveLink_(new LiveLink(document_, *renderer_,
+                             {[this] { return models_; }, [this] { return lessons_->sceneName().isEmpty(); }}, this)),
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
       menu_(new MenuBar(this)),
       lessons_(new LessonView(
@@ -207,6 +211,8 @@ void MainWindow::connectDocument() {
   connect(editor_.get(), &Editor::settled, autosave_, &Autosave::settled);
   views_.add("autosave", {&Changes::file}, [this](const Changes&) { autosave_->settled(); });  // saved, opened
   connect(autosave_, &Autosave::failed, status_, &StatusLine::showError);
+  connect(editor_.get(), &Editor::settled, liveLink_, &LiveLink::changed);
+  views_.add("live link", {&Changes::file, &Changes::models}, [this](const Changes&) { liveLink_->changed(); });
 }
 
 void MainWindow::connectFiles() {
@@ -220,6 +226,10 @@ void MainWindow::connectFiles() {
   connect(exporter_, &ProbeExporter::ownSceneWanted, this, [this] { tools_->showOwnScene(); });
   connect(exporter_, &ProbeExporter::message, status_, &StatusLine::showMessage);
   connect(exporter_, &ProbeExporter::failed, status_, &StatusLine::showError);
+  connect(menu_, &MenuBar::liveLinkRequested, liveLink_, &LiveLink::ask);
+  connect(liveLink_, &LiveLink::switched, menu_, &MenuBar::showLiveLink);
+  connect(liveLink_, &LiveLink::message, status_, &StatusLine::showMessage);
+  connect(liveLink_, &LiveLink::failed, status_, &StatusLine::showError);
   connect(menu_, &MenuBar::quitRequested, this, &QWidget::close);
   connect(menu_, &MenuBar::recentChosen, files_, &FileCommands::openPath, Qt::QueuedConnection);
   // Later: the menu is made anew by what it brings about.
@@ -372,7 +382,10 @@ void MainWindow::updateInvitation() {
 
 void MainWindow::showScene(LoadedScene loaded) {
   lessons_->drop();
-  showModels(loaded.models, loaded.path);
+  // A .glb with probes has its baked files in itself.
+  const std::vector<ModelFile>& given = loaded.scene.models;
+  const bool ownProbes = loaded.path.empty() && given.size() == 1 && holdsProbes(given.front().file);
+  showModels(loaded.models, ownProbes ? given.front().file : loaded.path);
   QStringList variants;
   for (const std::string& name : loaded.models.empty() ? std::vector<std::string>() : loaded.models.front()->variants) {
     variants.append(QString::fromStdString(name));

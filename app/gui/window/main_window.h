@@ -30,6 +30,7 @@ class ModelFitter;
 class MotionPreview;
 class PanelDocks;
 class PictureWork;
+class LiveLink;
 class ProbeExporter;
 class ProbeWidget;
 class Projector;
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
   FileCommands& files() { return *files_; }
   Autosave& autosave() { return *autosave_; }
   ProbeExporter& exporter() { return *exporter_; }
+  LiveLink& liveLink() { return *liveLink_; }
   DebugView& debugView() { return *debugView_; }
   LessonView& lessons() { return *lessons_; }
   Projector& projector();
@@ -118,6 +120,7 @@ class MainWindow : public QMainWindow {
   FileCommands* files_;
   Autosave* autosave_;
   ProbeExporter* exporter_;
+  LiveLink* liveLink_;
   std::unique_ptr<DebugView> debugView_;
   MenuBar* menu_;
   LessonView* lessons_;

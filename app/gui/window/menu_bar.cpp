@@ -28,6 +28,8 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   file->addSeparator();
   export_ = add(file, tr("&Export image..."), QKeySequence("Ctrl+E"), &MenuBar::exportRequested);
   add(file, tr("Export &probes..."), {}, &MenuBar::exportProbesRequested);
+  liveLink_ = addToggle(file, tr("&Live link..."), {}, &MenuBar::liveLinkRequested);
+  liveLink_->setChecked(false);
   add(file, tr("Save &baked probes..."), {}, &MenuBar::saveBakedRequested);
   file->addSeparator();
   add(file, tr("&Quit"), QKeySequence("Ctrl+Q"), &MenuBar::quitRequested);
@@ -303,6 +305,11 @@ void MenuBar::showVariants(const QStringList& names, const QString& shown) {
   };
   if (!names.isEmpty()) offer(tr("The file's own"), QString());
   for (const QString& name : names) offer(QString(name).replace('&', "&&"), name);
+}
+
+void MenuBar::showLiveLink(bool on) {
+  const QSignalBlocker quiet(liveLink_);
+  liveLink_->setChecked(on);
 }
 
 void MenuBar::showExplainTool(bool on) {

@@ -53,6 +53,7 @@ class MenuBar : public QObject {
   /// What can be done with the selected probe, for other menus.
   std::vector<QAction*> probeActions() const { return {frame_, lookFrom_, fit_, bake_, duplicate_, copy_, delete_}; }
   /// The tool was switched elsewhere.
+  void showLiveLink(bool on);
   void showExplainTool(bool on);
 
  signals:
@@ -63,6 +64,7 @@ class MenuBar : public QObject {
   void saveAsRequested();
   void exportRequested();
   void exportProbesRequested();
+  void liveLinkRequested(bool on);
   void saveBakedRequested();
   void recentChosen(const QString& path);
   void variantChosen(const QString& name);
@@ -154,7 +156,7 @@ class MenuBar : public QObject {
   std::vector<std::string> cameraNames_;
   QAction *undo_, *redo_, *duplicate_, *delete_, *copy_, *fit_, *frame_, *lookFrom_, *keys_, *flip_, *difference_,
       *endCompare_, *views_, *bake_, *export_, *explain_, *motionPreview_, *refinement_, *boxes_, *reflections_,
-      *projector_;
+      *projector_, *liveLink_;
 };
 
 }  // namespace boxprobe

@@ -8,6 +8,7 @@
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/inside_folder.h"
 #include "filters/io/files/read_file.h"
+#include "filters/io/gltf/gltf_chunks.h"
 #include "filters/io/gltf/gltf_parts.h"
 #include "filters/io/json/json_text.h"
 
@@ -24,11 +25,7 @@ std::uint32_t littleEndian32(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
-/// The JSON and the binary chunk of a GLB file.
-struct Chunks {
-  std::string json;
-  ByteRange binary;
-};
+}  // namespace
 
 Chunks chunksOf(const std::string& bytes, const std::string& path) {
   constexpr std::size_t kHeader = 12, kChunkHeader = 8;
@@ -59,6 +56,8 @@ Chunks chunksOf(const std::string& bytes, const std::string& path) {
   }
   return chunks;
 }
+
+namespace {
 
 /// tinygltf's message, usable within a sentence.
 std::string reasonOf(const std::string& error) {

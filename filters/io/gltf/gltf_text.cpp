@@ -105,6 +105,24 @@ void takeDracoIndices(GltfFile& file, GltfJson& root) {
   }
 }
 
+/// A scene's changes of materials are written for other readers into a .glb with probes
+/// (filters/io/engines/glb_probes); here the scene changes them itself.
+void restoreMaterials(const GltfFile& file, GltfJson& root) {
+  GltfJson* probes = extension(root, "BOXPROBE_reflection_probes");
+  GltfJson* before = probes == nullptr ? nullptr : member(*probes, "materials");
+  if (before == nullptr || !before->is_object()) return;
+  const std::vector<GltfJson*> materials = elements(root, "materials");
+  for (auto& [number, material] : before->items()) {
+    const bool digits =
+        !number.empty() && number.size() < 9 && number.find_first_not_of("0123456789") == std::string::npos;
+    const std::size_t index = digits ? std::stoul(number) : materials.size();
+    if (index >= materials.size() || !material.is_object()) {
+      file.fail("BOXPROBE_reflection_probes.materials." + number, "is no material of the file; export it again");
+    }
+    *materials[index] = material;
+  }
+}
+
 }  // namespace
 
 GltfText prepareGltf(GltfFile& file, const std::string& json) {
@@ -113,6 +131,7 @@ GltfText prepareGltf(GltfFile& file, const std::string& json) {
     GltfJson root = GltfJson::parse(json);
     checkVersion(file, root);
     checkExtensions(file, names(root, "extensionsRequired"), names(root, "extensionsUsed"));
+    restoreMaterials(file, root);
     takeBuffers(file, root, text);
     takeImages(file, root);
     takeDracoIndices(file, root);

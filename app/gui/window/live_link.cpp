@@ -1,0 +1,122 @@
+#include "app/gui/window/live_link.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <filesystem>
+#include <utility>
+
+#include "app/session/glb_export.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/engines/glb_probes.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+LiveLink::LiveLink(const Document& document, SceneRenderer& renderer, Hooks hooks, QWidget* window)
+    : QObject(window), document_(document), renderer_(renderer), hooks_(std::move(hooks)), window_(window) {
+  constexpr int kSoonMilliseconds = 150;  // several edits in a row are one file
+  constexpr int kTurnMilliseconds = 20;
+  soon_.setSingleShot(true);
+  soon_.setInterval(kSoonMilliseconds);
+  turn_.setInterval(kTurnMilliseconds);
+  connect(&soon_, &QTimer::timeout, this, &LiveLink::write);
+  connect(&turn_, &QTimer::timeout, this, &LiveLink::readOne);
+  connect(&work_, &BackgroundWork::ended, this, &LiveLink::written);
+}
+
+void LiveLink::ask(bool on) {
+  if (!on) return stop();
+  const QString scene = QString::fromStdString(document_.path());
+  const QString start = scene.isEmpty() ? QString("live.glb") : QFileInfo(scene).path() + "/live.glb";
+  const QString path = QFileDialog::getSaveFileName(window_, tr("Live link to a file"), start, tr("glTF (*.glb)"));
+  path.isEmpty() ? emit switched(false) : this->start(path);
+}
+
+void LiveLink::start(const QString& path) {
+  for (const ModelFile& model : document_.scene().models) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(model.file, path.toStdString(), ignored)) continue;
+    emit failed(tr("%1 is the scene's model; the live link needs a file of its own").arg(path));
+    emit switched(false);
+    return;
+  }
+  path_ = path;
+  told_.clear();
+  maps_.clear();
+  emit switched(true);
+  write();
+}
+
+void LiveLink::stop() {
+  if (!running()) return;
+  soon_.stop();
+  turn_.stop();
+  emit message(tr("The live link to %1 ended after %2 revisions").arg(path_).arg(revision_));
+  path_.clear();
+  emit switched(false);
+}
+
+void LiveLink::changed() {
+  if (running() && !soon_.isActive()) soon_.start();
+}
+
+void LiveLink::write() {
+  if (!running() || !hooks_.ownSceneShown()) return;
+  if (document_.previewing()) return soon_.start();
+  const auto models = hooks_.models();
+  if (models.empty() || document_.scene().models.size() != models.size()) return;
+  if (work_.running()) {
+    again_ = true;
+    return;
+  }
+  again_ = mapsNew_ = false;
+  auto content = std::make_shared<GlbScene>();
+  content->scene = document_.scene();
+  content->writer = "Boxprobe " BOXPROBE_VERSION;
+  content->diffuse = renderer_.probesDiffuse();
+  work_.start([content, maps = maps_, model = models.front(), path = path_.toStdString(),
+               revision = revision_ + 1](const BackgroundWork::Progress&) -> BackgroundWork::Finish {
+    for (const Probe& probe : content->scene.probes) {
+      const auto found = maps.find(probe.name);
+      content->maps.emplace_back();
+      if (found == maps.end()) continue;
+      content->maps.back().emplace();
+      content->maps.back()->maps = *found->second;
+    }
+    writeTextAtomically(path, glbWithProbes(*content, *model, path));
+    writeRevision(path, revision);
+    return [] {};
+  });
+  turn_.start();
+}
+
+void LiveLink::written(bool stopped, const QString& error) {
+  if (!error.isEmpty()) {
+    if (error != told_) emit failed(tr("Live link: %1").arg(error));
+    told_ = error;
+  } else if (!stopped) {
+    told_.clear();
+    if (++revision_ == 1) emit message(tr("%1 follows the scene").arg(path_));
+  }
+  if (again_) soon_.start();
+}
+
+void LiveLink::readOne() {
+  if (!running() || !hooks_.ownSceneShown()) return turn_.stop();
+  if (renderer_.workPending() || document_.previewing()) return;
+  for (const Probe& probe : document_.scene().probes) {
+    const BakeState state = renderer_.bakeState(probe.name);
+    if (probe.mode == ProbeMode::Baked && state != BakeState::UpToDate && state != BakeState::FromFile) continue;
+    if (renderer_.filterMissingLevel(probe.name)) return;
+    const auto maps = renderer_.mapsOnCpu(probe.name);
+    if (!maps || maps == maps_[probe.name]) continue;
+    maps_[probe.name] = maps;
+    mapsNew_ = true;
+    return;
+  }
+  turn_.stop();
+  if (mapsNew_) changed();
+}
+
+}  // namespace boxprobe

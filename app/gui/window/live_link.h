@@ -1,0 +1,75 @@
+// File, Live link: the scene as it is edited, saved or not, in a .glb that scripts in other programs follow
+// (data/engines). Written in a thread of its own a moment after each edit: boxes and lamps at once, maps as soon as
+// they are captured. Called by the menu.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/gui/edit/background_work.h"
+#include "filters/core/picture/baked_probe.h"
+#include "filters/core/scene/document.h"
+#include "filters/core/scene/model.h"
+
+class QWidget;
+
+namespace boxprobe {
+
+class SceneRenderer;
+
+class LiveLink : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Hooks {
+    std::function<std::vector<std::shared_ptr<const Model>>()> models;  ///< on show, in the scene's order
+    std::function<bool()> ownSceneShown;                                ///< false while a lesson is
+  };
+  LiveLink(const Document& document, SceneRenderer& renderer, Hooks hooks, QWidget* window);
+
+  /// True: asks for the file and starts. False: stops.
+  void ask(bool on);
+  /// Writes the file now and from then on; FILE.revision counts.
+  void start(const QString& path);
+  void stop();
+  bool running() const { return !path_.isEmpty(); }
+  /// How often the file has been written.
+  int revision() const { return revision_; }
+
+  /// An edit was made, taken back, or another scene opened: the file follows.
+  void changed();
+
+ signals:
+  void message(const QString& text);
+  void failed(const QString& text);
+  /// Whether it runs, for the menu.
+  void switched(bool on);
+
+ private:
+  using Maps = std::map<std::string, std::shared_ptr<const BakedMaps>>;
+  void write();
+  void written(bool stopped, const QString& error);
+  /// One turn of the event loop: a level filtered or a map read back, once captures are done.
+  void readOne();
+
+  const Document& document_;
+  SceneRenderer& renderer_;
+  Hooks hooks_;
+  QWidget* window_;
+  QString path_;
+  QTimer soon_, turn_;
+  Maps maps_;             ///< by probe, as they are in the file or will be
+  bool mapsNew_ = false;  ///< some are not written yet
+  bool again_ = false;    ///< something changed while it was written
+  int revision_ = 0;
+  QString told_;  ///< the last error
+  BackgroundWork work_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,86 @@
+// See opened_glb.h.
+#include "app/session/opened_glb.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+
+#include "filters/core/base/errors.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/engines/glb_probes.h"
+#include "filters/io/files/read_file.h"
+#include "filters/vtk/maps/content_hash.h"
+
+namespace boxprobe {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kDigestLetters = 32;
+
+fs::path cacheFolder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  if (cache != nullptr && fs::path(cache).is_absolute()) return fs::path(cache) / "boxprobe" / "glb";
+  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".cache" / "boxprobe" / "glb";
+  return fs::temp_directory_path() / ("boxprobe-" + std::to_string(::getuid())) / "glb";
+}
+
+/// What nobody has opened for a month goes. Only folders of this file's own names are touched.
+void removeOld(const fs::path& cache) {
+  std::error_code error;
+  const auto month = fs::file_time_type::clock::now() - std::chrono::hours(24 * 30);
+  for (fs::directory_iterator it(cache, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.size() < kDigestLetters || name.find_first_not_of("0123456789abcdef.") != std::string::npos) continue;
+    std::error_code ignored;
+    if (it->is_directory(ignored) && fs::last_write_time(it->path(), ignored) < month)
+      fs::remove_all(it->path(), ignored);
+  }
+}
+
+/// Where the file is unpacked, which happens now if it has not.
+std::string unpackedFolder(const std::string& path) {
+  const fs::path cache = cacheFolder(), folder = cache / ContentHash().add(readWholeFile(path)).text();
+  std::error_code error;
+  if (fs::is_directory(folder, error)) {
+    fs::last_write_time(folder, fs::file_time_type::clock::now(), error);
+    return folder.string();
+  }
+  fs::create_directories(cache, error);
+  if (error) throw WorkError(cache.string() + ": cannot create this folder: " + error.message());
+  fs::permissions(cache, fs::perms::owner_all, error);
+  removeOld(cache);
+  // Beside the place, so that there is a whole folder or none; of two processes one comes too late.
+  const fs::path fresh = folder.string() + "." + std::to_string(::getpid());
+  fs::remove_all(fresh, error);
+  try {
+    unpackGlb(path, fresh.string());
+  } catch (...) {
+    fs::remove_all(fresh, error);
+    throw;
+  }
+  fs::rename(fresh, folder, error);
+  if (error) {
+    std::error_code ignored;
+    fs::remove_all(fresh, ignored);
+    if (!fs::is_directory(folder, ignored)) throw WorkError(folder.string() + ": cannot be made: " + error.message());
+  }
+  return folder.string();
+}
+
+}  // namespace
+
+Scene openGlbScene(const std::string& path) {
+  return glbSceneOf(path, unpackedFolder(path));
+}
+
+std::string bakedFolderOf(const std::string& path) {
+  if (!holdsProbes(path)) return BakeFolder::besideScene(path);
+  return (fs::path(unpackedFolder(path)) / "probes").string();
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,271 @@
+// A scene with its probes in one .glb: what other readers find, what comes back, and files that are broken.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/engines/glb_probes.h"
+#include "filters/io/gltf/glb_document.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "tests/unit/error_text.h"
+#include "tests/unit/io_glb_builder.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace boxprobe {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+/// Texels that are all different and exact as half floats.
+void fill(CubeMap& cube, float start, int channels) {
+  int number = 0;
+  for (int level = 0; level < cube.levels(); ++level) {
+    const int count = 6 * cube.levelSize(level) * cube.levelSize(level);
+    for (int i = 0; i < count; ++i) {
+      for (int c = 0; c < channels; ++c)
+        cube.face(level, 0)[4 * i + c] = start + 0.125f * static_cast<float>(number++ % 1500);
+    }
+  }
+}
+
+class GlbProbes : public TemporaryFolder {
+ protected:
+  void SetUp() override {
+    GlbBuilder builder;
+    builder.triangle();
+    builder.json["materials"] = {{{"name", "paint"}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.25}}}}};
+    builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+    builder.json["extensionsUsed"] = {"EXT_of_somebody"};
+    builder.json["extensions"]["EXT_of_somebody"] = {{"kept", 7}};
+    write("model.glb", builder.glb());
+    write("sky.hdr", "sky bytes\n");
+    std::filesystem::create_directories(file("other"));
+    write("other/sky.hdr", "other bytes");
+    content_.scene = parseScene(R"({"format": "boxprobe-scene", "version": 1, "model": "model.glb",
+        "sky": {"image": "sky.hdr", "rotationDegrees": 30},
+        "cameras": {"far": {"position": [1, 2, 9], "target": [0, 1, 0]}},
+        "lights": [{"type": "point", "position": [3, 2, 1], "color": [1, 0.5, 0.25], "intensity": 40}],
+        "materials": {"paint": {"roughness": 0.75, "emissive": [0, 6, 3]}},
+        "probes": [{"name": "hall", "origin": [2, 1, -3], "box": {"min": [-4, 0, -7], "max": [5, 3, 6]},
+                    "influence": {"min": [-3, 0.5, -6], "max": [4, 2.5, 5]}, "rotationDegrees": [0, 90, 0],
+                    "blendDistance": {"min": [0.1, 0.2, 0.3], "max": [0.4, 0.5, 0.6]}, "importance": 2, "near": 0.05,
+                    "far": 77, "technique": "box+footprint4", "faceSize": 16},
+                   {"name": "picture", "mode": "custom", "image": "other/sky.hdr", "box": {"min": [-1, -1, -1], "max": [1, 2, 3]}}]})",
+                                file("scene.boxprobe.json"), folder_.string());
+    BakedProbeFile baked;
+    baked.maps.radiance = CubeMap(16, 3);
+    baked.maps.distance = CubeMap(16, 1);
+    fill(baked.maps.radiance, 0.5f, 4);
+    fill(baked.maps.distance, 0.1f, 1);
+    for (int i = 0; i < 9; ++i) baked.maps.irradiance[i] = glm::vec3(0.1f * i, 0.3f, -0.7f);
+    baked.maps.capturedAt = {2, 1, -3};
+    baked.maps.capturedRotation = {0, 90, 0};
+    baked.info.probe = content_.scene.probes[0];
+    baked.info.inputHash = "00112233 4455 - -";
+    baked.info.program = "Boxprobe 9";
+    baked.info.renderer = "a renderer";
+    content_.maps = {baked, std::nullopt};
+    DiffuseLattice lattice;
+    lattice.nodes = {2, 3, 4};
+    lattice.low = {-1.5f, -0.5f, -2};
+    lattice.high = {1, 2, 3};
+    lattice.texels.resize(7 * 24);
+    for (std::size_t i = 0; i < lattice.texels.size(); ++i)
+      lattice.texels[i] = glm::vec4(0.25f * static_cast<float>(i));
+    ProbeDiffuse diffuse;
+    diffuse.lattice = std::make_shared<const DiffuseLattice>(lattice);
+    SceneLamp lamp;
+    lamp.node = "tri";
+    lamp.corners = {{0, 3, 0}, {1, 3, 0}, {0, 3, 2}};
+    lamp.radiance = {5, 6, 7};
+    diffuse.lamps = {lamp};
+    content_.diffuse.probes = {diffuse, std::nullopt};
+    content_.writer = "Boxprobe 9";
+  }
+
+  std::string pack() {
+    const Model model = loadModelFile(file("model.glb"));
+    return glbWithProbes(content_, model, "out.glb");
+  }
+  /// The file with something of its extension changed.
+  std::string broken(const std::function<void(json& root, json& extension)>& change) {
+    write("whole.glb", pack());
+    GlbDocument document = readGlbDocument(file("whole.glb"));
+    json root = json::parse(document.json.dump());
+    change(root, root["extensions"][kGlbExtension]);
+    document.json = Json::parse(root.dump());
+    return write("broken.glb", glbText(document, "broken.glb"));
+  }
+
+  GlbScene content_;
+};
+
+TEST_F(GlbProbes, OtherReadersFindTheModelAndWhatGltfCanSay) {
+  const std::string path = write("out.glb", pack());
+  const json root = json::parse(*glbJsonText(path));
+  EXPECT_EQ(root["extensions"]["EXT_of_somebody"]["kept"], 7);
+  EXPECT_FALSE(root.contains("extensionsRequired"));
+  EXPECT_EQ(root["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"], 0.75);
+  EXPECT_EQ(root["materials"][0]["emissiveFactor"], json({0.0, 1.0, 0.5}));
+  EXPECT_EQ(root["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 6.0);
+  const Model before = loadModelFile(file("model.glb")), after = loadModelFile(path);
+  EXPECT_EQ(after.meshes[0].positions, before.meshes[0].positions);
+  EXPECT_EQ(after.materials[0].roughness, 0.25f) << "the scene changes it here";
+  EXPECT_EQ(after.lights, content_.scene.lights) << "position and intensity as glTF has them";
+  ASSERT_EQ(after.cameras.size(), 1u);
+  EXPECT_NEAR(glm::length(after.cameras[0].position - glm::dvec3(1, 2, 9)), 0.0, 1e-12);
+  const glm::dvec3 ahead = glm::normalize(after.cameras[0].target - after.cameras[0].position);
+  EXPECT_NEAR(glm::length(ahead - glm::normalize(glm::dvec3(-1, -1, -9))), 0.0, 1e-12);
+}
+
+TEST_F(GlbProbes, AProbeStandsInItsOwnFrame) {
+  const json root = json::parse(*glbJsonText(write("out.glb", pack())));
+  const json& extension = root["extensions"][kGlbExtension];
+  const json& probe = extension["probes"][0];
+  // A quarter turn about +Y takes the probe's x to the world's -z and its z to the world's x. The box's centre is
+  // (0.5, 1.5, -0.5), from the origin (-1.5, 0.5, 2.5): (-2.5, 0.5, -1.5) along the probe's axes. Half
+  // sizes 4.5, 1.5, 6.5.
+  const auto near = [](const json& v, glm::dvec3 expected) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(v[i].get<double>(), expected[i], 1e-6) << v.dump();
+  };
+  near(probe["origin"], {2, 1, -3});
+  near(probe["box"]["min"], {-7, -1, -8});
+  near(probe["box"]["max"], {2, 2, 5});
+  near(probe["influence"]["min"], {-6, -0.5, -7});
+  near(probe["blendDistance"]["max"], {0.4, 0.5, 0.6});
+  EXPECT_NEAR(probe["rotation"][1].get<double>(), std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(probe["near"], 0.05);
+  EXPECT_EQ(probe["far"], 77);
+  EXPECT_EQ(probe["importance"], 2);
+  // The second texel of the second level's third face, channel by channel, as half floats.
+  GlbDocument document = readGlbDocument(file("out.glb"));
+  const json& level = extension["maps"][0]["levels"][1];
+  EXPECT_EQ(level["size"], 8);
+  const json view = json::parse(document.json["bufferViews"][level["bufferView"].get<std::size_t>()].dump());
+  std::uint16_t red = 0;
+  std::memcpy(&red, &document.binary[view["byteOffset"].get<std::size_t>() + 8 * (2 * 64 + 1)], 2);
+  const int number = (6 * 256 + 2 * 64 + 1) * 4 % 1500;
+  const double value = (1.0 + (red & 1023) / 1024.0) * std::exp2((red >> 10) - 15);  // of a normal half float
+  EXPECT_EQ(value, 0.5 + 0.125 * number);
+  EXPECT_EQ(extension["lattices"][0]["nodes"], json({2, 3, 4}));
+  EXPECT_EQ(extension["lamps"][0]["radiance"], json({5.0, 6.0, 7.0}));
+  EXPECT_EQ(extension["probes"][0]["lamps"], json({0}));
+}
+
+TEST_F(GlbProbes, TheSceneAndItsMapsComeBackBitByBit) {
+  const std::string path = write("out.glb", pack());
+  EXPECT_TRUE(holdsProbes(path));
+  EXPECT_FALSE(holdsProbes(file("model.glb")));
+  unpackGlb(path, file("opened"));
+  Scene scene = glbSceneOf(path, file("opened"));
+  EXPECT_EQ(read("opened/sky.hdr"), "sky bytes\n");
+  EXPECT_EQ(read("opened/2-sky.hdr"), "other bytes") << "two pictures of one name";
+  EXPECT_EQ(scene.probes[1].image, file("opened/2-sky.hdr"));
+  scene.probes[1].image = content_.scene.probes[1].image;
+  scene.sky = content_.scene.sky;
+  scene.models = content_.scene.models;
+  EXPECT_EQ(scene, content_.scene);
+  saveBakedProbe(file("as-baked.exr"), *content_.maps[0]);
+  EXPECT_EQ(read("opened/probes/hall.exr"), read("as-baked.exr"));
+  // Written again from what was opened, the file is the same.
+  content_.maps[0] = loadBakedProbe(file("opened/probes/hall.exr"));
+  EXPECT_EQ(pack(), read("out.glb"));
+}
+
+TEST_F(GlbProbes, AMovedModelStandsWhereTheSceneHasIt) {
+  content_.scene.models[0].unit = LengthUnit::Centimetre;
+  content_.scene.models[0].upAxis = UpAxis::Z;
+  content_.scene.models[0].translation = {10, 0, 0};
+  const Model placed = loadModelFile(write("out.glb", pack()));
+  // The file's (0, 1, 0), in centimetres with Z up, is (0, 0, -0.01) with Y up.
+  const glm::dvec4 corner = placed.instances[0].worldFromModel * glm::dvec4(0, 1, 0, 1);
+  EXPECT_NEAR(glm::length(glm::dvec3(corner) - glm::dvec3(10, 0, -0.01)), 0.0, 1e-12);
+}
+
+TEST_F(GlbProbes, BrokenFilesAreOneLine) {
+  const auto refused = [this](const std::string& part, const std::function<void(json&, json&)>& change) {
+    const std::string path = broken(change);
+    const std::string text = errorText([&] { unpackGlb(path, file("opened-broken")); });
+    EXPECT_THAT(text, HasSubstr("broken.glb: ")) << part;
+    EXPECT_THAT(text, HasSubstr(part));
+  };
+  using J = json;
+  refused("version", [](J&, J& e) { e["version"] = 2; });
+  refused("maps[0].levels[1].size", [](J&, J& e) { e["maps"][0]["levels"][1]["size"] = 16; });
+  refused("maps[0].levels[0].size", [](J&, J& e) { e["maps"][0]["levels"][0]["size"] = 4294967295u; });
+  refused("maps[0].levels[0].size", [](J&, J& e) { e["maps"][0]["levels"][0]["size"] = 12; });
+  refused("maps[0].levels[2].bufferView", [](J&, J& e) { e["maps"][0]["levels"][2]["bufferView"] = 10000; });
+  refused("maps[0].levels[2].bufferView", [](J&, J& e) { e["maps"][0]["levels"][2]["bufferView"] = 0; });
+  refused("maps[0].levels[2].bufferView", [](J&, J& e) { e["maps"][0]["levels"][2]["bufferView"] = -1; });
+  refused("outside", [](J& root, J& e) {
+    root["bufferViews"][e["maps"][0]["levels"][0]["bufferView"].get<std::size_t>()]["byteOffset"] = 4294967000u;
+  });
+  refused("byteOffset", [](J& root, J& e) {
+    root["bufferViews"][e["maps"][0]["levels"][0]["bufferView"].get<std::size_t>()]["byteOffset"] = 1e300;
+  });
+  refused("encoding", [](J&, J& e) { e["maps"][0]["encoding"] = "png"; });
+  refused("13", [](J&, J& e) { e["maps"][0]["levels"] = J::array(); });
+  refused("irradiance", [](J&, J& e) { e["maps"][0]["irradiance"].erase(3); });
+  refused("probes[0].map", [](J&, J& e) { e["probes"][0]["map"] = 5; });
+  refused("no probe of the scene", [](J&, J& e) { e["probes"][0]["name"] = "attic"; });
+  refused("twice", [](J&, J& e) { e["probes"][1]["name"] = "hall"; });
+  refused("name of two files", [](J&, J& e) { e["files"][1]["name"] = "sky.hdr"; });
+  refused("no name of a file", [](J&, J& e) { e["files"][0]["name"] = "../sky.hdr"; });
+  refused("holds no picture", [](J&, J& e) { e["scene"]["sky"]["image"] = "/etc/passwd"; });
+  refused("holds no picture", [](J&, J& e) { e["files"].erase(0); });
+  refused("model", [](J&, J& e) { e["scene"]["model"] = "other.glb"; });
+  refused("probes", [](J&, J& e) { e["scene"]["probes"][0]["box"] = 3; });
+  refused("already the name", [](J&, J& e) { e["scene"]["probes"][1]["name"] = "hall"; });
+  refused("inputs", [](J&, J& e) { e["maps"][0]["inputs"] = "x"; });
+  refused("scene", [](J&, J& e) { e.erase("scene"); });
+  for (const char* number : {"1", "-1", "4294967296000", ""}) {
+    const std::string path = broken([&](J&, J& e) { e["materials"] = {{number, J::object()}}; });
+    EXPECT_THAT(errorText([&] { loadModelFile(path); }), HasSubstr("BOXPROBE_reflection_probes.materials"));
+  }
+  std::string cut = pack();
+  cut.resize(cut.size() - 5);
+  const std::string path = write("cut.glb", cut);
+  EXPECT_THAT(errorText([&] { unpackGlb(path, file("opened-cut")); }), HasSubstr("cut off"));
+}
+
+TEST_F(GlbProbes, WhatDoesNotFitIsSaidBeforeAnythingIsMade) {
+  Scene many = content_.scene;
+  for (int i = 0; i < 20; ++i) {
+    many.probes.push_back(many.probes[0]);
+    many.probes.back().name = std::to_string(i);
+    many.probes.back().faceSize = 4096;
+  }
+  EXPECT_THAT(errorText([&] { requireGlbScene(many, "out.glb"); }), HasSubstr("out.glb: would have "));
+  many = content_.scene;
+  many.models.push_back(many.models[0]);
+  EXPECT_THAT(errorText([&] { requireGlbScene(many, "out.glb"); }), HasSubstr("one model"));
+  many.models = {ModelFile{write("a.obj", "")}};
+  EXPECT_THAT(errorText([&] { requireGlbScene(many, "out.glb"); }), HasSubstr("a.obj"));
+}
+
+TEST_F(GlbProbes, BuffersAndPicturesBesideTheModelAreTakenIn) {
+  GlbBuilder builder;
+  builder.triangle();
+  builder.json["images"] = {{{"uri", "paint%201.png"}}, {{"uri", "missing.png"}}};
+  write("beside.gltf", builder.gltf("bytes.bin"));
+  write("bytes.bin", builder.buffer);
+  const std::string png("\x89PNG\r\n and more", 16);
+  write("paint 1.png", png);
+  GlbDocument document = readGlbDocument(file("beside.gltf"));
+  EXPECT_EQ(document.binary.substr(0, builder.buffer.size()), builder.buffer);
+  const Json& image = document.json["images"][0];
+  EXPECT_EQ(image["mimeType"], "image/png");
+  const Json& view = document.json["bufferViews"][image["bufferView"].get<std::size_t>()];
+  EXPECT_EQ(document.binary.substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>()), png);
+  EXPECT_EQ(document.json["images"][1]["uri"], "missing.png");
+  write("beside.gltf", builder.gltf("../bytes.bin"));
+  EXPECT_THAT(errorText([&] { readGlbDocument(file("beside.gltf")); }), HasSubstr("beside.gltf"));
+}
+
+}  // namespace
+}  // namespace boxprobe
