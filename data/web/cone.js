@@ -213,7 +213,7 @@
       const here = this.place(away, 0)[0];
       element('line', { x1: here, y1: 20, x2: here, y2: 300, class: 'here' }, chart);
       const { curve, error } = this.curves();
-      for (const [id] of FORMS) {
+      for (const [id] of [...FORMS].reverse()) {  // the integral lies below what is to come near it
         if (id !== 'guess' && !this.revealed) continue;
         let path = '', down = false;
         curve[id].forEach((v, i) => {

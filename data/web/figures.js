@@ -209,12 +209,13 @@
         const [a, b] = [this.pixel(from), this.pixel(to)];
         if (a && b) arrow(over, a, b, kind);
       };
+      const large = clamp(520 / Math.max(this.canvas.clientWidth, 1), 1, 2);  // on a telephone letters are to be read, too
       const mark = (at, text, kind, dx = 9, dy = -9, hollow = false) => {  // a text at the left of its place ends there
         const pixel = this.pixel(at);
         if (!pixel) return;
-        element('circle', { cx: pixel[0], cy: pixel[1], r: hollow ? 8 : 4.5, class: `${kind} ${hollow ? 'ring' : 'dot'}` }, over);
-        const wide = 8.5 * text.length, x = dx < 0 ? pixel[0] + dx - wide : pixel[0] + dx;
-        element('text', { x: clamp(x, 4, 636 - wide), y: clamp(pixel[1] + dy, 14, 394), class: kind }, over, text);
+        element('circle', { cx: pixel[0], cy: pixel[1], r: large * (hollow ? 8 : 4.5), class: `${kind} ${hollow ? 'ring' : 'dot'}` }, over);
+        const wide = 8.5 * large * text.length, x = dx < 0 ? pixel[0] + dx - wide : pixel[0] + dx;
+        element('text', { x: clamp(x, 4, 636 - wide), y: clamp(pixel[1] + dy, 14 * large, 394), class: kind, style: `font-size:${15 * large}px` }, over, text);
       };
       draw(n.position, n.truth, 'reflected');
       draw(n.origin, n.shown, 'lookup');

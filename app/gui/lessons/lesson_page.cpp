@@ -208,7 +208,10 @@ std::string coneHtml() {
          "floor spreads it into a cone. The cone meets a patch of the wall (orange). C sees the patch under another "
          "angle (pink), and so another mip level is right. Which one, when P is near the wall and when it is far? Draw "
          "it into the chart before you look.</p>\n" +
-         figureHtml("cone", "") + "</div>\n";
+         figureHtml("cone", "") +
+         "<p>The level is one part of the error. The other is the lobe's shape, long and narrow where the view is "
+         "flat, "
+         "which no level can give: see what was measured on the pictures.</p></div>\n";
 }
 
 std::string sourcesHtml(const std::vector<LessonSource>& sources) {
