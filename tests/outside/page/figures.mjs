@@ -154,6 +154,7 @@ await page.send('Page.reload');
 await reload;
 await page.until('document.querySelectorAll(".question .verdict").length > 0');
 check((await steps()).join() === 'true,true', 'the guess is kept');
+await page.middle('[data-figure=infinity]');  // a figure begins when it is seen
 await page.until('Number(document.querySelector("[data-figure=infinity]").dataset.drawn) > 1');
 check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
 await page.size(360, 780, true);
