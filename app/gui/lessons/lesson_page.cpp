@@ -292,13 +292,14 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
 
 std::string LessonPage::contents() const {
   std::string text, chapter;
+  int chapters = 0;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     const Section& section = sections_[i];
     if (i == 0 || section.chapter != chapter) {
       chapter = section.chapter;
       int minutes = 0;
       for (const Section& other : sections_) minutes += other.chapter == chapter ? other.minutes : 0;
-      text += (i > 0 ? "</ul></li>\n" : "") + std::string("<li><a href=\"#chapter-") + html(chapterLabel(chapter)) +
+      text += (i > 0 ? "</ul></li>\n" : "") + std::string("<li><a href=\"#chapter-") + std::to_string(++chapters) +
               "\">" + html(chapter) + "</a> <span class=\"minutes\">" + std::to_string(minutes) + " min</span><ul>\n";
     }
     text += "<li><a href=\"#" + html(section.name) + "\">" + html(section.title) + "</a></li>\n";
@@ -308,14 +309,14 @@ std::string LessonPage::contents() const {
 
 std::string LessonPage::body() const {
   std::string text, chapter;
-  int number = 0;
+  int number = 0, chapters = 0;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     const Section& section = sections_[i];
     const std::string label = html(chapterLabel(section.chapter));
     if (i == 0 || section.chapter != chapter) {
       chapter = section.chapter;
       number = 0;
-      text += "<h2 id=\"chapter-" + label + "\">" + html(chapter) + "</h2>\n";
+      text += "<h2 id=\"chapter-" + std::to_string(++chapters) + "\">" + html(chapter) + "</h2>\n";
     }
     const bool numbered = label != html(section.chapter);
     const std::string before = numbered ? label + "." + std::to_string(++number) + "&ensp;" : std::string();
