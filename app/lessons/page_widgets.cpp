@@ -16,7 +16,9 @@ namespace {
 
 constexpr const char* kForm =
     "; expected {\"format\": \"boxprobe-lesson-page\", \"version\": 1, \"plans\": {LESSON: [x, y]}, \"rooms\": "
-    "[LESSON, ..]}, x and y from 0 to 1";
+    "[LESSON, ..], \"figures\": {\"infinity\" or \"stand\": LESSON of \"rooms\", \"cone\": LESSON}, \"sources\": "
+    "[{\"title\": T, "
+    "\"address\": \"https://..\"}, ..]}, x and y from 0 to 1";
 constexpr const char* kLoopForm =
     "; expected {\"name\": N, \"lesson\": L, \"steps\": [1, ..], \"labels\": [one a step], \"say\": S, \"from\": "
     "{FIELD: NUMBERS}, \"to\": {the "
@@ -145,11 +147,34 @@ PageWidgets loadPageWidgets(const std::string& folder) {
         if (!lesson.is_string()) refuse(path, "rooms");
         widgets.rooms.push_back(lesson.get<std::string>());
       }
+    } else if (key == "figures" && value.is_object()) {
+      for (const auto& [figure, lesson] : value.items()) {
+        if ((figure != "infinity" && figure != "stand" && figure != "cone") || !lesson.is_string())
+          refuse(path, "figures." + figure);
+        widgets.figures[figure] = lesson.get<std::string>();
+      }
+    } else if (key == "sources" && value.is_array()) {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        const auto text = [&](const char* field) {
+          const nlohmann::json found =
+              value[i].is_object() ? value[i].value(field, nlohmann::json()) : nlohmann::json();
+          return found.is_string() ? found.get<std::string>() : std::string();
+        };
+        const LessonSource source{text("title"), text("address")};
+        if (source.title.empty() || source.address.rfind("https://", 0) != 0) {
+          refuse(path, "sources[" + std::to_string(i) + "]");
+        }
+        widgets.sources.push_back(source);
+      }
     } else if (key == "loops" && value.is_array() && value.size() <= kMostLoops) {
       for (std::size_t i = 0; i < value.size(); ++i) widgets.loops.push_back(loopFrom(value[i], path, i));
     } else {
       refuse(path, key);
     }
+  }
+  for (const auto& [figure, lesson] : widgets.figures) {
+    const bool room = std::find(widgets.rooms.begin(), widgets.rooms.end(), lesson) != widgets.rooms.end();
+    if (!room && figure != "cone") refuse(path, "figures." + figure);
   }
   return widgets;
 }

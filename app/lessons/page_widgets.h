@@ -30,9 +30,19 @@ struct LessonLoop {
   std::vector<Camera> walk;  ///< two: the camera goes from one to the other; none: it is the step's
 };
 
+/// A text that the lessons speak of.
+struct LessonSource {
+  std::string title;
+  std::string address;  ///< of the web, https
+};
+
 struct PageWidgets {
   std::map<std::string, PicturePoint> plans;  ///< lesson: the place in its pictures whose ray is drawn in plan
   std::vector<std::string> rooms;             ///< lessons that are followed by the room to walk in
+  /// Live figure of data/web/figures.js or cone.js, "infinity", "stand" or "cone": its lesson, which has to have a room
+  /// for the first two. The first opens the page, the others their lessons.
+  std::map<std::string, std::string> figures;
+  std::vector<LessonSource> sources;
   std::vector<LessonLoop> loops;
 };
 

@@ -108,22 +108,137 @@
     figure.append(button);
   }
 
-  // Questions: the answer that is opened first counts.
+  // Live figures start when they come into view. A scene is read once for all of them.
+  const scenes = new Map();
+  const sceneOf = (id) => {
+    if (!scenes.has(id)) scenes.set(id, JSON.parse(document.getElementById(id).textContent));
+    return scenes.get(id);
+  };
+  async function startFigure(host) {
+    if (host.dataset.figure === 'cone') {
+      host.querySelector('.figure-still').remove();
+      window.boxprobeCone(host);
+      return;
+    }
+    const scene = sceneOf(host.dataset.scene), view = JSON.parse(host.dataset.view), still = host.querySelector('.figure-still');
+    if (host.dataset.figure === 'stand') {
+      const { origin, axes, boxMin, boxMax } = scene.probes[0];
+      const world = axes.map((axis) => axis[0] * origin[0] + axis[1] * origin[1] + axis[2] * origin[2]);
+      still.remove();
+      window.boxprobeStand(host, { eye: view.camera.position, origin, room: { min: boxMin.map((v, i) => v + world[i]), max: boxMax.map((v, i) => v + world[i]) } });
+      return;
+    }
+    await window.boxprobeInfinity(host, scene, view);
+    if (host.boxprobeInfinity) still.remove();
+  }
+  const seen = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting) continue;
+      seen.unobserve(target);
+      startFigure(target);
+    }
+  }, { rootMargin: '200px' });
+  for (const host of document.querySelectorAll('.figure-live')) seen.observe(host);
+
+  // Questions: the answer that is opened first counts, and what follows a question is hidden until then: the next picture answers it.
+  // What was answered is kept in the browser.
+  const KEPT = 'boxprobe-lessons';
+  let kept = {};
+  try { kept = JSON.parse(localStorage.getItem(KEPT)) || {}; } catch { /* a browser that keeps nothing */ }
   const questions = [...document.querySelectorAll('.question')];
-  let tried = 0, right = 0;
+  const make = (name, className, text) => {
+    const made = document.createElement(name);
+    made.className = className;
+    made.textContent = text;
+    return made;
+  };
+
+  /** Steps after the first question without a guess are hidden, and with them what was measured and the exercises. */
+  function hideAnswers(lesson) {
+    const steps = [...lesson.querySelectorAll('.step')], shown = Number(lesson.dataset.shown || 0);
+    const stop = steps.findIndex((step, i) => i >= shown && step.querySelector('.question:not([data-tried])'));
+    steps.forEach((step, i) => { step.hidden = stop >= 0 && i > stop; });
+    const hides = stop >= 0;
+    for (const part of lesson.querySelectorAll('.measured, .loop')) part.hidden = hides;
+    let wait = lesson.querySelector('.waiting');
+    if (!hides || (stop === steps.length - 1)) {
+      if (wait) wait.remove();
+      return;
+    }
+    if (!wait) {
+      wait = make('div', 'waiting', '');
+      const button = make('button', '', 'Show it without a guess');
+      button.type = 'button';
+      button.addEventListener('click', () => {
+        lesson.dataset.shown = steps.length;
+        hideAnswers(lesson);
+      });
+      wait.append(make('p', '', ''), button);
+      lesson.querySelector('.steps').append(wait);
+    }
+    const left = steps.length - 1 - stop;
+    wait.firstChild.textContent = `Make a guess, and the next picture answers it. (${left} more ${left > 1 ? 'steps' : 'step'} in this lesson.)`;
+  }
+
+  const score = document.querySelector('.score');
+  function showScore() {
+    const tried = questions.filter((q) => q.dataset.tried), right = tried.filter((q) => q.dataset.tried === 'right').length;
+    const text = `${right} of ${tried.length} right at the first try, ${questions.length} in all.`;
+    if (tried.length) score.textContent = `Questions: ${text}`;
+    return text;
+  }
+
   for (const question of questions) {
-    const answers = [...question.querySelectorAll('details')];
+    const answers = [...question.querySelectorAll('details')], verdict = make('p', 'verdict', '');
+    verdict.setAttribute('aria-live', 'polite');
+    question.append(verdict);
     for (const answer of answers) {
       answer.querySelector('summary').addEventListener('click', () => {  // keys click, too
         if (answer.open) return;  // it closes
         for (const other of answers) if (other !== answer) other.open = false;
-        if (question.dataset.tried) return;
-        question.dataset.tried = answer.classList.contains('right') ? 'right' : 'wrong';
-        tried += 1;
-        right += question.dataset.tried === 'right' ? 1 : 0;
-        const score = document.querySelector('.score');
-        score.textContent = `Questions: ${right} of ${tried} right at the first try, ${questions.length} in all.`;
+        const right = answer.classList.contains('right');
+        if (!question.dataset.tried) {
+          question.dataset.tried = right ? 'right' : 'wrong';
+          kept[question.dataset.question] = question.dataset.tried;
+          try { localStorage.setItem(KEPT, JSON.stringify(kept)); } catch { /* as above */ }
+          hideAnswers(question.closest('section'));
+        }
+        verdict.className = `verdict ${right ? 'good' : 'bad'}`;
+        verdict.textContent = `${right ? 'Right.' : 'Not that one: try another.'} First tries: ${showScore()}`;
       });
     }
+    if (kept[question.dataset.question]) question.dataset.tried = kept[question.dataset.question] === 'right' ? 'right' : 'wrong';
+  }
+  for (const lesson of document.querySelectorAll('section:has(> .steps)')) hideAnswers(lesson);
+  if (questions.some((question) => question.dataset.tried)) showScore();
+
+  // The address of a step shows the steps up to it: somebody gave it away on purpose.
+  function goToAddress() {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    const lesson = target && target.matches('.step') && target.closest('section');
+    if (!lesson || !target.hidden) return;
+    lesson.dataset.shown = [...lesson.querySelectorAll('.step')].indexOf(target);
+    hideAnswers(lesson);
+    target.scrollIntoView();
+  }
+  window.addEventListener('hashchange', goToAddress);
+  goToAddress();
+
+  // A search over titles and texts.
+  const contents = document.querySelector('#contents .chapters');
+  if (contents && document.querySelectorAll('h3').length > 1) {
+    const label = make('label', 'search', 'Search '), input = document.createElement('input');
+    input.type = 'search';
+    label.append(input);
+    contents.before(label);
+    const texts = new Map([...contents.querySelectorAll('li li')].map((item) => {
+      const heading = document.getElementById(item.querySelector('a').getAttribute('href').slice(1));
+      return [item, heading.closest('section').textContent.toLowerCase()];
+    }));
+    input.addEventListener('input', () => {
+      const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
+      for (const [item, text] of texts) item.hidden = !words.every((word) => text.includes(word));
+      for (const chapter of contents.children) chapter.hidden = words.length > 0 && !chapter.querySelector('li:not([hidden])');
+    });
   }
 })();

@@ -553,7 +553,7 @@
     room.row = room.findRow(...view.technique.split('+')) || room.row;
   };
 
-  /** `files`: address of a file that the JSON names. Resolves when the first picture is loaded; `host.boxprobeRoom` is the Room. */
+  /** `files`: address of a file that the JSON names; `panel` false: no controls. Resolves when the first picture is loaded; `host.boxprobeRoom` is the Room. */
   window.boxprobeRoom = async (host, scene, options = {}) => {
     const canvas = element('canvas', { tabindex: 0, role: 'img', 'aria-label': 'The scene: drag or use the arrow keys to look around, + and - to come nearer' });
     const gl = canvas.getContext('webgl2', { antialias: options.antialias !== false, preserveDrawingBuffer: true, alpha: false });
@@ -567,7 +567,7 @@
       if (options.prepare) options.prepare(room);
       host.prepend(canvas);
       host.boxprobeRoom = room;
-      host.boxprobePanel = new Panel(host, room, options);
+      if (options.panel !== false) host.boxprobePanel = new Panel(host, room, options);
     } catch (error) {
       canvas.remove();
       element('p', { class: 'room-said' }, host, `The scene cannot be drawn here (${error.message}): the pictures show what could be moved.`);

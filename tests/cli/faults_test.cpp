@@ -127,7 +127,7 @@ TEST_F(Faults, NamesOfAnyBytesAreValidJsonAndSafeOnATerminal) {
     EXPECT_EQ(text.out.find(name) != std::string::npos, name[0] == '\xd7') << "letters stay";
   }
   folder.write("a.lesson.json", "{\"format\": \"boxprobe-lesson\", \"version\": 1, \"title\": \"" + latin + "\"}");
-  std::filesystem::copy(BOXPROBE_DATA_DIR "/lessons/17-black-mirror.lesson.json", folder.path("b.lesson.json"));
+  std::filesystem::copy(BOXPROBE_DATA_DIR "/lessons/01-black-mirror.lesson.json", folder.path("b.lesson.json"));
   const Outcome lessons = runProgram({"lessons", "--folder", folder.path(""), "--json"}, DisplayKind::Unset);
   EXPECT_EQ(lessons.exitStatus, 0) << lessons.err;
   EXPECT_TRUE(nlohmann::json::accept(lessons.out)) << lessons.out;

@@ -87,7 +87,16 @@ TEST(LessonsCommand, APageHasThePlanAndTheRoomThatItsFolderAsksFor) {
   const std::string text = readFile(folder.path("page.html"));
   EXPECT_THAT(text, AllOf(HasSubstr("data-plan=\""), HasSubstr("<svg"), HasSubstr("data-scene=\"scene-0\""),
                           HasSubstr("data:image/ktx2;base64,")));
-  for (const char* widgets : {R"("plans": {"one": [0.62]})", R"("plans": {"one": [2, 0]})", R"("walls": 1)"}) {
+  ASSERT_EQ(page(R"("rooms": ["one"], "figures": {"infinity": "one", "stand": "one"}, "sources":
+    [{"title": "A & B", "address": "https://x.org/"}])")
+                .exitStatus,
+            0);
+  EXPECT_THAT(readFile(folder.path("page.html")),
+              AllOf(HasSubstr("data-figure=\"infinity\""), HasSubstr("data-figure=\"stand\""),
+                    HasSubstr("<a href=\"https://x.org/\">A &amp; B</a>")));
+  for (const char* widgets : {R"("plans": {"one": [0.62]})", R"("plans": {"one": [2, 0]})", R"("walls": 1)",
+                              R"("rooms": ["one"], "figures": {"moon": "one"})", R"("figures": {"stand": "one"})",
+                              R"("sources": [{"title": "T", "address": "http://x"}])"}) {
     const Outcome refused = page(widgets);
     EXPECT_EQ(refused.exitStatus, 2) << widgets;
     EXPECT_EQ(refused.errLines().size(), 1u) << refused.err;

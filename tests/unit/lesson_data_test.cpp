@@ -268,7 +268,7 @@ TEST_F(SecondLanguage, IsShownWhereItIsAndEnglishForTheRest) {
       std::sort(expected.begin(), expected.end());
     }
     EXPECT_EQ(textsOf(shown), expected) << shown.name;
-    EXPECT_EQ(shown.chapter, usual.chapter[0] == '1' ? "<" + usual.chapter + ">" : usual.chapter);
+    EXPECT_EQ(shown.chapter, usual.chapter.rfind("2.", 0) == 0 ? "<" + usual.chapter + ">" : usual.chapter);
     EXPECT_EQ(shown.steps.size(), usual.steps.size());
     EXPECT_EQ(shown.steps[0].assignments, usual.steps[0].assignments);
   }

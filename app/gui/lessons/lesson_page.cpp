@@ -32,8 +32,10 @@ char letterOf(std::size_t answer) {
   return static_cast<char>('A' + answer);
 }
 
-std::string questionHtml(const LessonQuestion& question) {
-  std::string text = "<fieldset class=\"question\"><legend>Question</legend><p>" + html(question.ask) + "</p>";
+/// `id`: progress is kept by it.
+std::string questionHtml(const LessonQuestion& question, const std::string& id) {
+  std::string text = "<fieldset class=\"question\" data-question=\"" + id + "\"><legend>Question</legend><p>" +
+                     html(question.ask) + "</p>";
   for (std::size_t i = 0; i < question.answers.size(); ++i) {
     const LessonAnswer& answer = question.answers[i];
     text += std::string("<details class=\"") + (answer.right ? "right" : "wrong") + "\"><summary>" + letterOf(i) +
@@ -52,8 +54,26 @@ std::string answerHtml(const Lesson& lesson, const LessonStep& step) {
   return text + "</p>\n";
 }
 
-std::string pictureId(const Lesson& lesson, std::size_t step) {
+/// The step's address in the page.
+std::string stepId(const Lesson& lesson, std::size_t step) {
   return html(lesson.name) + "-" + std::to_string(step + 1);
+}
+
+std::string pictureId(const Lesson& lesson, std::size_t step) {
+  return stepId(lesson, step) + "-picture";
+}
+
+/// "12" of "12. Few rays"; the whole of a chapter without a number.
+std::string chapterLabel(const std::string& chapter) {
+  return chapter.substr(0, chapter.find('.'));
+}
+
+/// A guess for whoever plans a class: a minute a step, another for its question, more for what is done.
+int minutesFor(const Lesson& lesson) {
+  constexpr int kTask = 3, kExercise = 4;
+  int minutes = 0;
+  for (const LessonStep& step : lesson.steps) minutes += 1 + (step.question ? 1 : 0) + (step.task ? kTask : 0);
+  return minutes + kExercise * static_cast<int>(lesson.exercises.size());
 }
 
 /// Formulas that stand beside each other in the window stand one below the other: a column is narrow.
@@ -71,17 +91,18 @@ std::string formulaHtml(const std::string& formula) {
 /// `measured`: the page measures the task in a plan or a room.
 std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictures& pictures, bool measured) {
   const LessonStep& step = lesson.steps[number];
-  std::string text = "<div class=\"step\"><figure";
+  std::string text = "<div class=\"step\" id=\"" + stepId(lesson, number) + "\"><figure";
   if (pictures.sameView[number]) text += " data-before=\"" + pictureId(lesson, number - 1) + "\"";
-  text += "><div class=\"picture\"><img id=\"" + pictureId(lesson, number) + "\" alt=\"" + html(step.title) +
-          "\" src=\"" + embedded(pictures.steps[number]) + "\"></div></figure><h4>" + std::to_string(number + 1) +
-          "&ensp;" + html(step.title) + "</h4><p>" + html(step.say) + "</p>";
+  text += "><div class=\"picture\"><img id=\"" + pictureId(lesson, number) + "\" alt=\"" +
+          html(lesson.title + ": " + step.title) + "\" src=\"" + embedded(pictures.steps[number]) +
+          "\"></div></figure><h4><a class=\"address\" href=\"#" + stepId(lesson, number) + "\">" +
+          std::to_string(number + 1) + "</a>&ensp;" + html(step.title) + "</h4><p>" + html(step.say) + "</p>";
   text += formulaHtml(step.formula);
   // A page has neither panels nor handles.
   if (!step.mayMove.empty()) {
     text += "<p class=\"try\"><b>Try it in the program's window.</b> " + html(step.mayMove) + "</p>";
   }
-  if (step.question) text += questionHtml(*step.question);
+  if (step.question) text += questionHtml(*step.question, stepId(lesson, number));
   if (step.task) {
     text += "<p class=\"try\"><b>Task.</b> " + html(step.task->ask) +
             (measured ? " This page measures it, below." : "") + "</p>";
@@ -155,6 +176,53 @@ std::string roomHtml(const std::string& view, std::size_t scene, const std::stri
          std::to_string(scene) + "\" data-view=\"" + html(view) + "\"></div>\n" + task + "</div>\n";
 }
 
+/// `attributes`: what it begins with.
+std::string figureHtml(const std::string& figure, const std::string& attributes) {
+  return "<div class=\"figure-live\" data-figure=\"" + figure + "\" " + attributes +
+         "><p class=\"figure-still\">This figure needs scripts, and WebGL2 for a room. Without them, the pictures "
+         "below "
+         "show the same.</p></div>\n";
+}
+
+/// What opens the page.
+std::string infinityHtml(const std::string& live) {
+  return "<section class=\"opening\"><h2 id=\"figure-infinity\">What the box does</h2>\n"
+         "<p>This floor is a perfect mirror. Each of its pixels samples one cubemap, captured at C. Shrink the "
+         "probe's box from infinite to the room, and watch the floor.</p>\n" +
+         live +
+         "<p>Point at the floor. The orange ray leaves that pixel and ends at what the mirror should show. The pink "
+         "arrow leaves C and ends at what it does show. The cubemap lies beside the room, unfolded: the pixel should "
+         "sample it in the ring, and samples it at the dot.</p></section>\n";
+}
+
+std::string standHtml(const std::string& live) {
+  return "<div class=\"widget\"><h4>Where must you stand?</h4>\n<p>A mirror floor, sampled with R alone. Colours show "
+         "by "
+         "how many degrees each of its points misses; black is right. Find a place for C at which more of the floor "
+         "is black. Then find the one place at which all of it is, and move the eye.</p>\n" +
+         live + "</div>\n";
+}
+
+std::string coneHtml() {
+  return "<div class=\"widget\"><h4>From cone to texels</h4>\n<p>The ray from P is reflected to the wall, and a rough "
+         "floor spreads it into a cone. The cone meets a patch of the wall (orange). C sees the patch under another "
+         "angle (pink), and so another mip level is right. Which one, when P is near the wall and when it is far? Draw "
+         "it into the chart before you look.</p>\n" +
+         figureHtml("cone", "") +
+         "<p>The level is one part of the error. The other is the lobe's shape, long and narrow where the view is "
+         "flat, "
+         "which no level can give: see what was measured on the pictures.</p></div>\n";
+}
+
+std::string sourcesHtml(const std::vector<LessonSource>& sources) {
+  if (sources.empty()) return {};
+  std::string text = "<h2 id=\"sources\">Sources</h2>\n<ul>\n";
+  for (const LessonSource& source : sources) {
+    text += "<li><a href=\"" + html(source.address) + "\">" + html(source.title) + "</a></li>\n";
+  }
+  return text + "</ul>\n";
+}
+
 std::string script(const char* file) {
   return "<script>\n" + std::string(webSource(file)) + "</script>\n";
 }
@@ -177,55 +245,122 @@ void LessonPage::addLoop(const LessonLoop& loop, const std::string& webm) {
             html(say) + "</figcaption></figure>\n";
 }
 
-void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, bool room) {
-  if (lesson.chapter != chapter_) {
-    chapter_ = lesson.chapter;
-    body_ += "<h2>" + html(chapter_) + "</h2>\n";
-  }
-  contents_ += "<li><a href=\"#" + html(lesson.name) + "\">" + html(lesson.title) + "</a></li>\n";
-  // Another language than the page's head is said.
-  body_ += lesson.language != "en" ? "<section lang=\"" + html(lesson.language) + "\">\n" : std::string("<section>\n");
-  if (!lesson.unreviewed.empty()) body_ += "<p class=\"try\">" + html(lesson.unreviewed) + "</p>\n";
-  body_ += "<h3 id=\"" + html(lesson.name) + "\">" + html(lesson.title) + "</h3><p>" + html(lesson.summary) +
-           "</p><div class=\"steps\">\n";
+void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const PageWidgets& widgets) {
+  Section section{lesson.name, lesson.title, lesson.chapter, "", minutesFor(lesson)};
+  std::string& text = section.html;
+  if (!lesson.unreviewed.empty()) text += "<p class=\"try\">" + html(lesson.unreviewed) + "</p>\n";
+  text += "<p>" + html(lesson.summary) + "</p>";
   const auto scene = std::find(scenes_.begin(), scenes_.end(), lesson.scene);
-  const bool hasRoom = room && scene != scenes_.end();
+  const auto& rooms = widgets.rooms;
+  const bool hasRoom = scene != scenes_.end() && std::find(rooms.begin(), rooms.end(), lesson.name) != rooms.end();
+  const auto place = static_cast<std::size_t>(scene - scenes_.begin());
+  for (const auto& [figure, of] : widgets.figures) {
+    if (of != lesson.name) continue;
+    if (figure == "cone") {
+      text += coneHtml();
+    } else if (hasRoom) {
+      const std::string live = figureHtml(
+          figure, "data-scene=\"scene-" + std::to_string(place) + "\" data-view=\"" + html(pictures.view) + "\"");
+      if (figure == "infinity") opening_ = infinityHtml(live);
+      if (figure == "stand") text += standHtml(live);
+    }
+  }
+  text += "<div class=\"steps\">\n";
   const std::string task = hasRoom || pictures.plan ? taskHtml(lesson, pictures.task) : std::string();
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    body_ += stepHtml(lesson, i, pictures, !task.empty());
+    text += stepHtml(lesson, i, pictures, !task.empty());
     if (lesson.steps[i].question) answers_ += answerHtml(lesson, lesson.steps[i]);
   }
-  body_ += "</div>\n" + loops_;
+  text += "</div>\n" + loops_;
   loops_.clear();
-  if (pictures.plan) body_ += planHtml(*pictures.plan, hasRoom ? std::string() : task);
-  if (hasRoom) {
-    body_ += roomHtml(pictures.view, static_cast<std::size_t>(scene - scenes_.begin()), task);
-  }
-  body_ += "<div class=\"measured\">";
-  if (!pictures.claims.empty()) body_ += "<h4>Measured</h4>";
+  if (pictures.plan) text += planHtml(*pictures.plan, hasRoom ? std::string() : task);
+  if (hasRoom) text += roomHtml(pictures.view, place, task);
+  text += "<div class=\"measured\">";
+  if (!pictures.claims.empty()) text += "<h4>Measured</h4>";
   for (const LessonPictures::Claim& claim : pictures.claims) {
-    body_ += "<p>" + html(claim.say) + " <b>" + html(claim.measured) + "</b>" +
-             (claim.holds ? "" : " <span class=\"failed\">does not hold</span>") + "</p>";
+    text += "<p>" + html(claim.say) + " <b>" + html(claim.measured) + "</b>" +
+            (claim.holds ? "" : " <span class=\"failed\">does not hold</span>") + "</p>";
   }
-  body_ += "</div>\n" + exercisesHtml(lesson, pictures) + "</section>\n";
+  text += "</div>\n" + exercisesHtml(lesson, pictures);
+  // Another language than the page's head is said.
+  const std::string opened =
+      lesson.language != "en" ? "<section lang=\"" + html(lesson.language) + "\">\n" : std::string("<section>\n");
+  section.html = opened + "<h3 id=\"" + html(lesson.name) + "\">@NUMBER@" + html(lesson.title) + "</h3>" + text;
   solutions_ += solutionsHtml(lesson);
+  sections_.push_back(std::move(section));
 }
 
-std::string LessonPage::text(const std::vector<LessonSymbol>& notation) const {
+std::string LessonPage::contents() const {
+  std::string text, chapter;
+  int chapters = 0;
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    const Section& section = sections_[i];
+    if (i == 0 || section.chapter != chapter) {
+      chapter = section.chapter;
+      int minutes = 0;
+      for (const Section& other : sections_) minutes += other.chapter == chapter ? other.minutes : 0;
+      text += (i > 0 ? "</ul></li>\n" : "") + std::string("<li><a href=\"#chapter-") + std::to_string(++chapters) +
+              "\">" + html(chapter) + "</a> <span class=\"minutes\">" + std::to_string(minutes) + " min</span><ul>\n";
+    }
+    text += "<li><a href=\"#" + html(section.name) + "\">" + html(section.title) + "</a></li>\n";
+  }
+  return text + (sections_.empty() ? "" : "</ul></li>\n");
+}
+
+std::string LessonPage::body() const {
+  std::string text, chapter;
+  int number = 0, chapters = 0;
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    const Section& section = sections_[i];
+    const std::string label = html(chapterLabel(section.chapter));
+    if (i == 0 || section.chapter != chapter) {
+      chapter = section.chapter;
+      number = 0;
+      text += "<h2 id=\"chapter-" + std::to_string(++chapters) + "\">" + html(chapter) + "</h2>\n";
+    }
+    const bool numbered = label != html(section.chapter);
+    const std::string before = numbered ? label + "." + std::to_string(++number) + "&ensp;" : std::string();
+    const std::string mark = "@NUMBER@";
+    std::string whole = section.html;
+    const std::size_t at = whole.find(mark);
+    whole.replace(at, mark.size(), before);
+    const std::size_t end = whole.find("</h3>", at);
+    whole.insert(end, " <span class=\"minutes\">about " + std::to_string(section.minutes) + " min</span>");
+    text += whole;
+    const auto link = [](const Section& to, const char* left, const char* right) {
+      return "<a href=\"#" + html(to.name) + "\">" + left + html(to.title) + right + "</a>";
+    };
+    if (sections_.size() > 1) {
+      text += "<p class=\"lesson-nav\">" + (i > 0 ? link(sections_[i - 1], "&larr;&ensp;", "") : "<span></span>") +
+              "<a href=\"#contents\">Contents</a>" +
+              (i + 1 < sections_.size() ? link(sections_[i + 1], "", "&ensp;&rarr;") : "<span></span>") + "</p>";
+    }
+    text += "</section>\n";
+  }
+  return text;
+}
+
+std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
+                             const std::vector<LessonSource>& sources) const {
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<title>Box projection, taught by doing</title>\n<style>\n" +
-      std::string(webSource("page.css")) +
-      "</style></head><body>\n<h1>Box projection, taught by doing</h1>\n"
-      "<p>Every picture was drawn by Boxprobe from the lesson's scene, every number measured on it when this page was "
-      "made. In the window each step can be taken hold of: <code>boxprobe lessons NAME</code>.</p>\n"
-      "<p class=\"score\" aria-live=\"polite\"></p>\n<nav><ul>\n" +
-      contents_ + (notation.empty() ? "" : "<li><a href=\"#notation\">Notation</a></li>\n") + "</ul></nav>\n" + body_ +
+      std::string(webSource("page.css")) + "</style></head><body>\n<h1>Box projection, taught by doing</h1>\n<main>\n" +
+      opening_ +
+      "<p>Boxprobe drew every picture from the lesson's scene and measured every number on it when it made this page. "
+      "In its window you can change each step yourself: <code>boxprobe lessons NAME</code>.</p>\n"
+      "<nav id=\"contents\" aria-label=\"Contents\"><p class=\"score\" aria-live=\"polite\"></p><ul "
+      "class=\"chapters\">\n" +
+      contents() + (notation.empty() ? "" : "<li><a href=\"#notation\">Notation</a></li>\n") +
+      (sources.empty() ? "" : "<li><a href=\"#sources\">Sources</a></li>\n") + "</ul></nav>\n" + body() +
       notationHtml(notation);
   if (!answers_.empty()) text += "<section class=\"answers\"><h2>Answers</h2>\n" + answers_ + "</section>\n";
   if (!solutions_.empty()) text += "<section class=\"answers\"><h2>Solutions</h2>\n" + solutions_ + "</section>\n";
-  if (!scenes_.empty()) text += sceneTexts_ + script("room.js");
-  return text + script("plan.js") + script("task.js") + script("page.js") + "</body></html>\n";
+  text += sourcesHtml(sources) +
+          "</main>\n<footer><p>Lessons, pictures and scripts of this page: Boxprobe " BOXPROBE_VERSION
+          ", BSD 3-Clause License, copyright 2026 Boxprobe contributors.</p></footer>\n";
+  if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js");
+  return text + script("cone.js") + script("plan.js") + script("task.js") + script("page.js") + "</body></html>\n";
 }
 
 }  // namespace boxprobe

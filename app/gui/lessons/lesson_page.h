@@ -1,6 +1,6 @@
-// All lessons on one HTML page that needs nothing beside it: pictures within, formulas as MathML, questions that
-// answer, plans to take hold of. It is whole without scripts; those of data/web bring it to life. Called by `boxprobe
-// lessons -o`; knows no scene.
+// All lessons on one HTML page that needs nothing beside it: a live figure first, pictures within, formulas as MathML,
+// questions that answer, plans to take hold of. It is whole without scripts; those of data/web bring it to life. Called
+// by `boxprobe lessons -o`; knows no scene.
 #pragma once
 
 #include <string>
@@ -18,13 +18,21 @@ class LessonPage {
   void addScene(const std::string& path, const std::string& json);
   /// A loop of the lesson that is added next, and the bytes of its WebM file.
   void addLoop(const LessonLoop& loop, const std::string& webm);
-  /// `room`: its scene, which has been added, follows the steps.
-  void add(const Lesson& lesson, const LessonPictures& pictures, bool room);
-  /// `notation` stands at the end, as a table; empty: none.
-  std::string text(const std::vector<LessonSymbol>& notation) const;
+  /// Its room, if `widgets` wants one and its scene has been added, follows the steps.
+  void add(const Lesson& lesson, const LessonPictures& pictures, const PageWidgets& widgets);
+  /// `notation` stands at the end, as a table; empty: none. `sources` likewise.
+  std::string text(const std::vector<LessonSymbol>& notation, const std::vector<LessonSource>& sources) const;
 
  private:
-  std::string contents_, body_, chapter_, answers_, solutions_, loops_, sceneTexts_;
+  struct Section {
+    std::string name, title, chapter, html;
+    int minutes = 0;
+  };
+  std::string contents() const;
+  std::string body() const;
+
+  std::vector<Section> sections_;
+  std::string opening_, answers_, solutions_, loops_, sceneTexts_;
   std::vector<std::string> scenes_;  ///< their paths
 };
 

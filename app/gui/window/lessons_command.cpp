@@ -244,10 +244,9 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
       printResult(padded(lesson->name) + (claim.holds ? " holds: " : " DOES NOT HOLD: ") + claim.say + "\n  " +
                   claim.measured + "\n");
     }
-    const auto& rooms = widgets.rooms;
     if (output.page) {
       addLoops(page, *lesson, widgets, options.folder);
-      page.add(*lesson, pictures, std::find(rooms.begin(), rooms.end(), lesson->name) != rooms.end());
+      page.add(*lesson, pictures, widgets);
     }
     if (!output.page && !output.path.empty()) {
       const std::string path = output.sheet ? output.path : output.path + "/" + lesson->name + ".jpg";
@@ -255,7 +254,7 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
     }
     std::fflush(stdout);
   }
-  if (output.page) writeTextAtomically(output.path, page.text(output.notation));
+  if (output.page) writeTextAtomically(output.path, page.text(output.notation, widgets.sources));
   writeStats(options, photographer.player());
   if (options.report.json) printDocument(validJson(report));
   if (broken > 0) {

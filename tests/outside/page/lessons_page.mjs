@@ -69,6 +69,15 @@ check(touched.position[0] > keyed.position[0] + 0.05, 'a finger moves P');
 await page.send('Emulation.setTouchEmulationEnabled', { enabled: false });
 await page.screenshot(path.join(out, 'plan.png'));
 
+// Questions: what follows one waits for a guess.
+const [qx, qy] = await page.middle('.question details.wrong summary');
+await page.click(qx, qy);
+const [rx, ry] = await page.middle('.question details.right summary');
+await page.click(rx, ry);
+const question = await page.evaluate(`({ open: [...document.querySelectorAll('.question details')].map((d) => d.open + d.className), tried: document.querySelector('.question').dataset.tried, score: document.querySelector('.score').textContent })`);
+check(question.open.filter((o) => o === 'trueright').length === 1 && !question.open.includes('truewrong'), 'one answer is open, the right one');
+check(question.tried === 'wrong' && /0 of 1 right/.test(question.score), `the first try counts: ${question.score}`);
+
 // Wipe.
 const [wx, wy] = await page.middle('.compare');
 await page.click(wx, wy);
@@ -86,15 +95,6 @@ const onScreen = await covered();
 await page.send('Emulation.setEmulatedMedia', { media: 'print' });
 check(onScreen && !(await covered()), 'on paper an open wipe leaves the picture itself');
 await page.send('Emulation.setEmulatedMedia', { media: '' });
-
-// Questions.
-const [qx, qy] = await page.middle('.question details.wrong summary');
-await page.click(qx, qy);
-const [rx, ry] = await page.middle('.question details.right summary');
-await page.click(rx, ry);
-const question = await page.evaluate(`({ open: [...document.querySelectorAll('.question details')].map((d) => d.open + d.className), tried: document.querySelector('.question').dataset.tried, score: document.querySelector('.score').textContent })`);
-check(question.open.filter((o) => o === 'trueright').length === 1 && !question.open.includes('truewrong'), 'one answer is open, the right one');
-check(question.tried === 'wrong' && /0 of 1 right/.test(question.score), `the first try counts: ${question.score}`);
 
 // The room, at the face size it is in the page with, as the lesson's first step has it.
 const [ox, oy] = await page.middle('.open-room');

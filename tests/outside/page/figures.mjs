@@ -1,0 +1,279 @@
+// The live figures of the page of lessons, by real pointer, touch and key events: the infinity slider against C++ and `boxprobe render`,
+// the floor's map of errors against a ray from the mirrored eye through all six walls, computed here; steps that wait for a guess.
+// usage: figures.mjs BOXPROBE PLAN_NUMBERS SCENES OUT [POINTS]
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync } from 'node:fs';
+import path from 'node:path';
+import { BrowserPage, check, roomPsnr } from './browser_page.mjs';
+
+const [program, oracle, scenes, out, points = '120'] = process.argv.slice(2);
+mkdirSync(out, { recursive: true });
+const made = (lesson) => {
+  const file = path.resolve(out, lesson + '.html');
+  if (!process.env.BOXPROBE_KEEP_PAGE || !existsSync(file)) execFileSync(program, ['lessons', lesson, '-o', file, '--quiet', '--language', 'en'], { stdio: 'inherit' });
+  return 'file://' + file;
+};
+let seed = 7;
+const random = () => { seed = (seed * 1103515245 + 12345) % 2147483648; return seed / 2147483648; };
+const degrees = (a, b) => {
+  const chord = Math.hypot(...a.map((v, i) => v / Math.hypot(...a) - b[i] / Math.hypot(...b)));
+  return 2 * Math.asin(Math.min(chord / 2, 1)) * 180 / Math.PI;
+};
+/** What an eye sees in a floor at y = 0 through P: the straight line from the mirrored eye, to the nearest of six walls beyond P. */
+function seenInFloor(eye, position, room) {
+  const from = [eye[0], -eye[1], eye[2]], along = position.map((v, i) => v - from[i]);
+  let nearest = Infinity;
+  for (let axis = 0; axis < 3; axis++) {
+    for (const wall of [room.min[axis], room.max[axis]]) {
+      const t = (wall - from[axis]) / along[axis];
+      if (t > 1 + 1e-6 && t < nearest) nearest = t;  // the floor itself is at 1, to the digits of a float
+    }
+  }
+  return from.map((v, i) => v + nearest * along[i]);
+}
+
+// A: the infinity slider.
+const page = await BrowserPage.open(made('floor-mirror'), { width: 1280, height: 900 });
+const began = Date.now();
+await page.until('Number(document.querySelector("[data-figure=infinity]").dataset.drawn) > 1');
+console.log(`  alive ${((Date.now() - began) / 1000).toFixed(1)} s after the page`);
+const host = 'document.querySelector("[data-figure=infinity]")', figure = `${host}.boxprobeInfinity`;
+check(await page.evaluate(`${host}.querySelectorAll('.figure-still').length`) === 0, 'the line for browsers without scripts is gone');
+const drawnAgain = async (act) => {
+  await act();
+  await page.evaluate('new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))');
+  await page.until(`!${figure}.waiting`, 20);
+};
+await page.screenshot(path.join(out, 'infinity-0.png'));
+
+// The slider's knob, dragged.
+const knob = () => page.evaluate(`(() => { const r = ${figure}.slider.getBoundingClientRect(), k = 16; return { y: r.y + r.height / 2, at: [0, 0.3, 0.5, 1].map((v) => r.x + k / 2 + (r.width - k) * v), now: r.x + k / 2 + (r.width - k) * ${figure}.slider.value / 1000 }; })()`);
+await page.middle('[data-control="box size"]');
+let slider = await knob();
+await drawnAgain(() => page.drag([slider.now, slider.y], [slider.at[2], slider.y]));
+const half = await page.evaluate(`${figure}.size`);
+check(Math.abs(half - 0.5) < 0.02, `the knob dragged to the middle: the box is ${(1 / half).toFixed(2)} rooms`);
+await page.screenshot(path.join(out, 'infinity-half.png'));
+await page.evaluate(`${figure}.slider.focus()`);
+await drawnAgain(() => page.key('ArrowRight'));
+check(await page.evaluate(`${figure}.size`) > half, 'an arrow key makes the box smaller');
+
+// Points of the floor under a moving pointer, for several sizes of the box.
+const lines = [], shown = [];
+let moved = 0, last = '';
+for (let n = 0; n < Number(points); n++) {
+  if (n % 20 === 0) {
+    slider = await knob();
+    const to = slider.at[0] + (slider.at[3] - slider.at[0]) * (n === 0 ? 0.2 : random());
+    if (Math.abs(to - slider.now) > 2) await drawnAgain(() => page.drag([slider.now, slider.y], [to, slider.y]));
+  }
+  const at = await page.evaluate(`(() => { const r = ${figure}.canvas.getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()`);
+  const share = [0.02 + 0.96 * random(), 0.55 + 0.42 * random()];
+  await page.mouse('mouseMoved', at[0] + share[0] * at[2], at[1] + share[1] * at[3]);
+  const s = await page.evaluate(`(() => { const n = ${figure}.numbers(), c = ${figure}.room.camera; return { ...n, share: ${figure}.share, camera: { position: c.position, target: c.target, fov: c.verticalFovDegrees } }; })()`);
+  const text = s.position.join();
+  if (text !== last) moved++;
+  last = text;
+  if (!s.box) continue;
+  shown.push(s);
+  lines.push([...s.position, 0, 1, 0, ...s.eye, ...s.origin, ...s.box.min, ...s.box.max].join(' '));
+}
+check(moved > 0.6 * Number(points), `${moved} of ${points} pointer moves moved P; any others were over a wall`);
+const answers = execFileSync(oracle, { input: lines.join('\n') + '\n' }).toString().trim().split('\n').map((line) => line.split(' ').map(Number));
+let worst = 0, worstPlace = 0, worstError = 0;
+answers.forEach((v, n) => {
+  const s = shown[n], size = Math.hypot(...s.box.max.map((x, i) => x - s.box.min[i]));
+  worst = Math.max(worst, Math.abs(v[3] - s.distance) / size, ...[0, 1, 2].flatMap((i) => [Math.abs(v[6 + i] - s.reflection[i]), Math.abs(v[9 + i] - s.lookup[i]) / size]));
+  // The pixel that P is seen in, by the camera's own axes.
+  const back = s.camera.position.map((x, i) => x - s.camera.target[i]).map((x, _, all) => x / Math.hypot(...all)), right = [back[2], 0, -back[0]].map((x) => x / Math.hypot(back[2], back[0]));
+  const up = [back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2], back[0] * right[1] - back[1] * right[0]];
+  const from = s.position.map((x, i) => x - s.camera.position[i]), dot = (a) => a.reduce((sum, x, i) => sum + x * from[i], 0), tangent = Math.tan(s.camera.fov * Math.PI / 360);
+  worstPlace = Math.max(worstPlace, Math.abs(0.5 + 0.5 * dot(right) / -dot(back) / tangent / 1.6 - s.share[0]), Math.abs(0.5 - 0.5 * dot(up) / -dot(back) / tangent - s.share[1]));
+  const seen = seenInFloor(s.eye, s.position, s.room);
+  worstError = Math.max(worstError, Math.abs(degrees(s.lookup, seen.map((x, i) => x - s.origin[i])) - s.errorDegrees));
+});
+check(answers.length > 0.3 * Number(points) && worst <= 1e-5, `${answers.length} rays: R, d, H - C off from C++ by at most ${worst.toExponential(1)} of the box (1e-5)`);
+check(worstPlace < 2e-3, `P lies under the pointer, to ${worstPlace.toExponential(1)} of the picture`);
+check(worstError < 1e-3, `the error in degrees, from the mirrored eye: off by at most ${worstError.toExponential(1)}`);
+
+// Dot and ring: apart for R alone, together for the room's box.
+const apart = () => page.evaluate(`(() => { const [ring, dot] = ['.ring', '.dot'].map((c) => ${figure}.mapOver.querySelector(c)); return Math.hypot(ring.cx.baseVal.value - dot.cx.baseVal.value, ring.cy.baseVal.value - dot.cy.baseVal.value); })()`);
+await page.middle('[data-control="box size"]');
+slider = await knob();
+await drawnAgain(() => page.drag([slider.now, slider.y], [slider.at[0] - 12, slider.y]));
+const far = await apart();
+const png = path.join(out, 'render.png'), width = 480, height = 300;
+const psnr = async (technique) => {
+  execFileSync(program, ['render', path.join(scenes, 'room.boxprobe.json'), '-o', png, '--size', `${width}x${height}`, '--camera', 'A', '--samples', '4', '--quiet', '--technique', technique,
+    '--set', 'probes.room.faceSize=128', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
+  const db = await roomPsnr(page, `${host}.boxprobeRoom`, png, width, height);
+  await drawnAgain(() => page.evaluate(`${figure}.redraw()`));
+  return db;
+};
+const bare = await psnr('infinite');
+await page.middle('[data-control="box size"]');
+slider = await knob();
+await drawnAgain(() => page.drag([slider.now, slider.y], [slider.at[3] + 12, slider.y]));
+const near = await apart(), boxed = await psnr('box');
+check(far > 20 && near < 0.5, `dot and ring are ${far.toFixed(0)} apart with R alone, ${near.toFixed(2)} with the box`);
+check(bare >= 40 && boxed >= 40, `R alone ${bare.toFixed(1)} dB, the room's box ${boxed.toFixed(1)} dB from render (at least 40)`);
+check(/is right/.test(await page.evaluate(`${figure}.said.textContent`)), 'and it says that the pixel is right');
+await page.middle('[data-figure=infinity] canvas');
+await page.screenshot(path.join(out, 'infinity-1.png'));
+
+// Keys, a finger, and motion that is not wanted.
+const place = () => page.evaluate(`${figure}.share`);
+await page.evaluate(`${figure}.canvas.focus()`);
+await page.evaluate(`${figure}.choose(0.5, 0.75)`);
+await drawnAgain(() => page.key('ArrowLeft'));
+check(Math.abs((await place())[0] - 0.49) < 1e-6, 'an arrow key moves P');
+await page.send('Emulation.setTouchEmulationEnabled', { enabled: true });
+const canvas = await page.evaluate(`(() => { const r = ${figure}.canvas.getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()`);
+await page.touch('touchStart', canvas[0] + 0.3 * canvas[2], canvas[1] + 0.8 * canvas[3]);
+await page.touch('touchEnd');
+await page.send('Emulation.setTouchEmulationEnabled', { enabled: false });
+check(Math.abs((await place())[0] - 0.3) < 0.01, 'a finger moves P');
+await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
+await page.evaluate(`${figure}.setSize(0)`);
+await page.click(...await page.middle('[data-figure=infinity] .figure-bar button'));
+check(await page.evaluate(`${figure}.size`) === 1, 'with reduced motion Play goes to its end at once');
+await page.send('Emulation.setEmulatedMedia', { features: [] });
+
+// Steps wait for a guess, and the verdict stands in the question.
+const steps = () => page.evaluate(`[...document.querySelectorAll('.step')].map((step) => getComputedStyle(step).display !== 'none')`);
+check((await steps()).join() === 'true,false', 'the step that answers is hidden');
+check(await page.evaluate(`document.querySelector('.measured').hidden`), 'and what was measured with it');
+await page.click(...await page.middle('.question details.wrong summary'));
+check((await steps()).join() === 'true,true', 'after a guess it stands there');
+const verdict = await page.evaluate(`document.querySelector('.question .verdict').textContent`);
+check(/Not that one.*0 of 1 right/.test(verdict), `the verdict stands in the question: ${verdict}`);
+await page.click(...await page.middle('.question details.right summary'));
+check(/^Right.*0 of 1 right/.test(await page.evaluate(`document.querySelector('.question .verdict').textContent`)), 'the first try counts');
+const reload = page.event('Page.loadEventFired');
+await page.send('Page.reload');
+await reload;
+await page.until('document.querySelectorAll(".question .verdict").length > 0');
+check((await steps()).join() === 'true,true', 'the guess is kept');
+await page.middle('[data-figure=infinity]');  // a figure begins when it is seen
+await page.until('Number(document.querySelector("[data-figure=infinity]").dataset.drawn) > 1');
+check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
+await page.size(360, 780, true);
+check(await page.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone of 360 pixels is wide enough');
+await page.middle('[data-figure=infinity] .figure-both');
+await page.until(`!${figure}.waiting`, 20);
+await page.screenshot(path.join(out, 'infinity-phone.png'));
+await page.close();
+const addressed = await BrowserPage.open(made('floor-mirror') + '#floor-mirror-2');
+check(await addressed.evaluate(`!document.getElementById('floor-mirror-2').hidden`), "a step's own address shows it");
+await addressed.close();
+
+// B: where must you stand?
+const stand = await BrowserPage.open(made('in-the-cubemap'), { width: 1280, height: 900 });
+const stood = 'document.querySelector("[data-figure=stand]")';
+await stand.middle('[data-figure=stand]');
+await stand.until(`!!${stood}.boxprobeStand && !!${stood}.dataset.mean`);
+const state = () => stand.evaluate(`({ ...${stood}.boxprobeStand.state, room: ${stood}.boxprobeStand.room, mean: Number(${stood}.dataset.mean), columns: ${stood}.querySelector('canvas').width, rows: ${stood}.querySelector('canvas').height })`);
+const settled = async (act) => {
+  await act();
+  await stand.until(`!${stood}.boxprobeStand.waiting`);
+  return state();
+};
+const grip = (name) => stand.evaluate(`(() => { const r = ${stood}.querySelector('[data-handle="${name}"] circle:not(.grip)').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
+const dragged = async (name, across, down) => {
+  const from = await grip(name);
+  return settled(() => stand.drag(from, [from[0] + across, from[1] + down]));
+};
+/** Mean over the same points; R alone. */
+function meanOf({ eye, origin, room, columns, rows }) {
+  let sum = 0;
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      const p = [room.min[0] + (column + 0.5) / columns * (room.max[0] - room.min[0]), 0, room.min[2] + (row + 0.5) / rows * (room.max[2] - room.min[2])];
+      sum += degrees([p[0] - eye[0], eye[1], p[2] - eye[2]], seenInFloor(eye, p, room).map((v, i) => v - origin[i]));
+    }
+  }
+  return sum / (columns * rows);
+}
+let worstMean = 0, kinds = 0;
+for (const [name, across, down] of [['plan origin', 40, -25], ['elevation origin', -30, 20], ['plan eye', 60, -40], ['elevation eye', -20, -25], ['plan origin', -120, 50]]) {
+  const before = await state(), now = await dragged(name, across, down), key = name.split(' ')[1];
+  if (now[key].some((v, i) => Math.abs(v - before[key][i]) > 0.1)) kinds++;
+  worstMean = Math.max(worstMean, Math.abs(meanOf(now) - now.mean));
+}
+check(kinds === 5, 'C and the eye are dragged in plan and elevation');
+check(worstMean < 1e-6, `the floor's mean error is that of rays from the mirrored eye, off by at most ${worstMean.toExponential(1)} degrees`);
+await stand.screenshot(path.join(out, 'stand.png'));
+let now = await settled(async () => stand.click(...await stand.middle('[data-control="mirrored eye"]')));
+check(now.mean < 1e-4, `C on the mirrored eye: the whole floor is right (${now.mean.toExponential(1)} degrees)`);
+await stand.screenshot(path.join(out, 'stand-mirrored.png'));
+now = await dragged('plan eye', -40, 20);
+check(now.mean > 0.5, `the eye moved: wrong again by ${now.mean.toFixed(2)} degrees`);
+now = await settled(async () => stand.click(...await stand.middle('[data-control=box]')));
+check(now.mean < 1e-4, 'with the box every point is right');
+now = await dragged('plan origin', 70, 30);
+check(now.mean < 1e-4, 'and for another C as well');
+await stand.evaluate(`${stood}.querySelector('[data-handle="plan origin"]').focus()`);
+const keyed = (await state()).origin[0];
+now = await settled(() => stand.key('ArrowRight'));
+check(Math.abs(now.origin[0] - keyed - 0.05) < 1e-6, 'an arrow key moves C by .05');
+check(stand.messages.length === 0, `no script failed ${stand.messages.join(' ')}`);
+await stand.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: 'dark' }] });
+await stand.screenshot(path.join(out, 'stand-dark.png'));
+await stand.close();
+
+// C: from cone to texels.
+const cone = await BrowserPage.open(made('contact-hardening'), { width: 1280, height: 900 });
+const coned = 'document.querySelector("[data-figure=cone]")';
+await cone.middle('[data-figure=cone]');
+await cone.until(`!!${coned}.boxprobeCone`);
+/** Solid angle of the cone's patch as C sees it: a fan of triangles on the wall (Van Oosterom and Strackee 1983). */
+function patchFrom({ away, origin, roughness }, elevation = 25 * Math.PI / 180) {
+  const delta = 2 * Math.atan(roughness ** 2), count = 720;
+  const point = (angle) => {
+    const [c, s] = [Math.cos(delta), Math.sin(delta)], ray = [c * Math.cos(elevation) - s * Math.cos(angle) * Math.sin(elevation), c * Math.sin(elevation) + s * Math.cos(angle) * Math.cos(elevation), s * Math.sin(angle)];
+    return [4 - origin[0], away / ray[0] * ray[1] - origin[1], away / ray[0] * ray[2]];
+  };
+  const middle = [4 - origin[0], away * Math.tan(elevation) - origin[1], 0];
+  let sum = 0;
+  for (let i = 0; i < count; i++) {
+    const [a, b, c] = [middle, point(2 * Math.PI * i / count), point(2 * Math.PI * (i + 1) / count)], dot = (p, q) => p.reduce((t, v, k) => t + v * q[k], 0), size = (p) => Math.hypot(...p);
+    const triple = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    sum += 2 * Math.atan2(Math.abs(triple), size(a) * size(b) * size(c) + dot(a, b) * size(c) + dot(a, c) * size(b) + dot(b, c) * size(a));
+  }
+  return sum;
+}
+const handleAt = (name) => cone.evaluate(`(() => { const r = ${coned}.querySelector('[data-handle="cone ${name}"] circle:not(.grip)').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
+let worstAngle = 0, worstLevel = 0, positions = 0, before = '';
+for (const [name, across, down] of [['P', 60, 0], ['C', 40, 30], ['P', -130, 0], ['C', -50, -60], ['P', 175, 0]]) {
+  const from = await handleAt(name);
+  await cone.drag(from, [from[0] + across, from[1] + down]);
+  const s = await cone.evaluate(`({ state: ${coned}.boxprobeCone.state(), ...${coned}.boxprobeCone.numbers() })`), text = JSON.stringify(s.state);
+  if (text !== before) positions++;
+  before = text;
+  const angle = patchFrom(s.state), alpha = Math.tan(Math.acos(1 - angle / (2 * Math.PI)) / 2);
+  worstAngle = Math.max(worstAngle, Math.abs(s.solidAngle / angle - 1));
+  worstLevel = Math.max(worstLevel, Math.abs(s.levels.integral - Math.min(Math.log2(1 + 63 * alpha), 6)));
+}
+check(positions === 5, 'P and C are dragged');
+check(worstAngle < 0.01 && worstLevel < 0.02, `the patch from C, as a fan of triangles: solid angle off by ${(100 * worstAngle).toFixed(2)} %, level by ${worstLevel.toFixed(4)}`);
+const curves = () => cone.evaluate(`({ ...${coned}.boxprobeCone.curves(), revealed: ${coned}.dataset.revealed, drawn: ${coned}.querySelectorAll('.curve').length })`);
+check((await curves()).drawn === 0, 'no curve before a guess');
+const area = await cone.evaluate(`(() => { const r = ${coned}.querySelector('.draws').getBoundingClientRect(); return [r.x, r.y, r.width / 480, r.height / 330]; })()`);
+const chartAt = (share, level) => [area[0] + area[2] * (40 + 420 * share), area[1] + area[3] * (300 - 280 * level / 6)];
+await cone.mouse('mousePressed', ...chartAt(0.01, 1));
+for (let i = 1; i <= 10; i++) await cone.mouse('mouseMoved', ...chartAt(0.01 + 0.098 * i, 1 + 0.2 * i));
+await cone.mouse('mouseReleased', ...chartAt(0.99, 3));
+const guess = await cone.evaluate(`${coned}.boxprobeCone.guess()`);
+check(guess.every((level, i) => Math.abs(level - (1 + 2 * ((i + 0.5) / 40 - 0.01) / 0.98)) < 0.08), 'the drawn line is the guess');
+await cone.click(...await cone.middle('[data-control=reveal]'));
+const shownCurves = await curves(), mean = shownCurves.curve.guess.reduce((sum, level, i) => sum + Math.abs(level - shownCurves.curve.integral[i]), 0) / 40;
+check(shownCurves.drawn === 5 && Math.abs(shownCurves.error.guess - mean) < 1e-9, `then five curves; the guess is off by ${mean.toFixed(2)} levels`);
+console.log(`  none ${shownCurves.error.none.toFixed(2)}, ratio of distances ${shownCurves.error.hdrp.toFixed(2)}, J ${shownCurves.error.J.toFixed(2)} levels from the integral`);
+check(shownCurves.error.J < shownCurves.error.hdrp && shownCurves.error.hdrp < shownCurves.error.none, 'J is nearest');
+check(cone.messages.length === 0, `no script failed ${cone.messages.join(' ')}`);
+await cone.screenshot(path.join(out, 'cone.png'));
+await cone.size(360, 780, true);
+await cone.middle('[data-figure=cone]');
+check(await cone.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone is wide enough for it');
+await cone.screenshot(path.join(out, 'cone-phone.png'));
+await cone.close();
