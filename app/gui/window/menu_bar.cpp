@@ -29,6 +29,8 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   export_ = add(file, tr("&Export image..."), QKeySequence("Ctrl+E"), &MenuBar::exportRequested);
   add(file, tr("Export &probes..."), {}, &MenuBar::exportProbesRequested);
   add(file, tr("Save &baked probes..."), {}, &MenuBar::saveBakedRequested);
+  add(file, tr("Repor&t..."), {}, &MenuBar::reportRequested)
+      ->setToolTip(tr("One HTML file: every camera drawn and path traced, the probes with their fit and cost"));
   file->addSeparator();
   add(file, tr("&Quit"), QKeySequence("Ctrl+Q"), &MenuBar::quitRequested);
 

@@ -64,6 +64,7 @@ class MenuBar : public QObject {
   void exportRequested();
   void exportProbesRequested();
   void saveBakedRequested();
+  void reportRequested();
   void recentChosen(const QString& path);
   void variantChosen(const QString& name);
   void quitRequested();
