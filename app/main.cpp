@@ -18,6 +18,7 @@
 #include "app/cli/command/info_command.h"
 #include "app/cli/command/place_command.h"
 #include "app/cli/command/render_command.h"
+#include "app/cli/command/report_command.h"
 #include "app/cli/command/short_run.h"
 #include "app/cli/command/stress_command.h"
 #include "app/cli/options/help_text.h"
@@ -53,17 +54,11 @@ int run(int& argc, char** argv) {
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png\n"
       "Each sub-command explains itself: boxprobe render --help");
   program.require_subcommand(0, 1);
-  const std::vector<Subcommand> subcommands = {addRenderCommand(program),
-                                               addBakeCommand(program),
-                                               addExplainCommand(program),
-                                               addExportCommand(program),
-                                               addImportCommand(program),
-                                               addInfoCommand(program),
-                                               addFitCommand(program),
-                                               addPlaceCommand(program),
-                                               addBenchCommand(program),
-                                               addStressCommand(program),
-                                               addLessonsCommand(program, argc, argv)};
+  const std::vector<Subcommand> subcommands = {
+      addRenderCommand(program), addBakeCommand(program),   addExplainCommand(program),
+      addExportCommand(program), addImportCommand(program), addInfoCommand(program),
+      addFitCommand(program),    addPlaceCommand(program),  addReportCommand(program),
+      addBenchCommand(program),  addStressCommand(program), addLessonsCommand(program, argc, argv)};
 
   try {
     program.parse(argc, argv);

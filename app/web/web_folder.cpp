@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/web/markup.h"
 #include "app/web/web_source.h"
 #include "filters/io/files/atomic_file.h"
 
@@ -10,24 +11,10 @@ namespace boxprobe {
 
 namespace {
 
-std::string inMarkup(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 std::string viewerPage(const std::string& title) {
   const std::string mark = "@TITLE@";
   std::string page(webSource("viewer.html"));
-  const std::string text = inMarkup(title);
+  const std::string text = markup(title);
   for (std::size_t at = 0; (at = page.find(mark, at)) != std::string::npos; at += text.size()) {
     page.replace(at, mark.size(), text);
   }

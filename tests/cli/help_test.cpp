@@ -64,6 +64,14 @@ TEST(Help, PlaceNamesItsOptions) {
   }
 }
 
+TEST(Help, ReportNamesItsOptionsAndExitStatuses) {
+  const Outcome outcome = help({"report", "--help"});
+  for (const char* text : {"SCENE...", "--output", "--fail-above", "--camera", "--technique", "--size", "--rays",
+                           "--quick", "--seed", "--set", "--json", "--quiet", "Exit status: 0", "boxprobe report "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
 TEST(Help, Version) {
   EXPECT_THAT(help({"--version"}).out, MatchesRegex("boxprobe [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }

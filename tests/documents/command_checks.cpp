@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::set<std::string> kSubcommands = {"render",  "explain", "info",   "bake", "bench", "stress",
-                                            "lessons", "export",  "import", "fit",  "place"};
+                                            "lessons", "export",  "import", "fit",  "place", "report"};
 
 std::string joined(std::initializer_list<std::string_view> parts) {
   std::string text;

@@ -13,11 +13,14 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/gui/edit/gauge_rows.h"
+#include "app/gui/edit/probe_gauge.h"
 #include "app/gui/explain/debug_view.h"
 #include "app/gui/explain/picture_inset.h"
 #include "app/gui/explain/surface_view_panel.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/lessons/lesson_progress.h"
+#include "app/gui/panels/fit_panel.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
@@ -262,6 +265,16 @@ TEST_F(LessonTest, ThePanelOfAStep) {
   const QString folder = qEnvironmentVariable("BOXPROBE_TEST_OUTPUT");
   if (!folder.isEmpty()) window_->findChild<QDockWidget*>("lessons")->grab().save(folder + "/lesson_panel.png");
   keepPicture("lesson_rays");
+}
+
+TEST_F(LessonTest, NoErrorIsShownOfARoomThatIsWrongOnPurpose) {
+  auto* rows = window_->findChild<GaugeRows*>();
+  EXPECT_TRUE(rows->isVisibleTo(rows->parentWidget()));
+  openFromList(kMirror);
+  EXPECT_FALSE(rows->isVisibleTo(rows->parentWidget()));
+  EXPECT_FALSE(window_->findChild<FitPanel*>()->gauge().gauge().has_value());
+  window_->lessons().leave();
+  EXPECT_TRUE(rows->isVisibleTo(rows->parentWidget()));
 }
 
 TEST_F(LessonTest, ATryIsKeptBesideTheLessonsScene) {

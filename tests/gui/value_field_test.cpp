@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLocale>
+#include <QStatusBar>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
 #include <QTest>
@@ -102,6 +104,38 @@ TEST_F(ValueFieldTest, ScrubbingALabelIsOneStep) {
   document().undo();
   EXPECT_EQ(probe().box.max.y, before);
   EXPECT_FALSE(document().canUndo());
+}
+
+TEST_F(ValueFieldTest, OneSeparatorIsTheDecimalMarkInEveryLocale) {
+  ValueField* x = window_->findChild<VectorRow*>("origin")->field(0);
+  for (const char* locale : {"de_DE", "ar_EG", "en_US"}) {
+    QLocale::setDefault(QLocale(locale));
+    ValueField fresh({-100000.0, 100000.0, 0.1, 3, " m"});
+    fresh.show(15000.0);
+    EXPECT_EQ(fresh.text(), "15000.000 m") << locale;
+    for (const char* text : {"1.5", "1,5"}) {
+      type(x, text);
+      EXPECT_EQ(probe().origin.x, 1.5) << locale << " " << text;
+      EXPECT_EQ(x->text().split(' ').front(), "1.500");
+      document().undo();
+    }
+  }
+  QLocale::setDefault(QLocale::c());
+}
+
+TEST_F(ValueFieldTest, TwoSeparatorsAreRefusedWithALine) {
+  ValueField* x = window_->findChild<VectorRow*>("origin")->field(0);
+  const double before = probe().origin.x;
+  const QString shown = x->text();
+  QString why;
+  const auto told = QObject::connect(x, &ValueField::refused, x, [&why](const QString& line) { why = line; });
+  type(x, "1,234.5");
+  EXPECT_TRUE(why.contains("\"1,234.5\" has more than one separator")) << why.toStdString();
+  EXPECT_TRUE(window_->statusBar()->currentMessage().contains("more than one separator"));
+  EXPECT_EQ(probe().origin.x, before);
+  EXPECT_EQ(x->text(), shown) << "the value from before comes back";
+  EXPECT_FALSE(document().canUndo());
+  QObject::disconnect(told);
 }
 
 TEST_F(ValueFieldTest, LeavingAFieldUntouchedEditsNothing) {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/cli/farm/picture_shares.h"
+#include "app/session/display_picture.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
@@ -28,7 +29,6 @@
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
-#include "filters/math/shared/display_math.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/path/reference_path.h"
 #include "filters/vtk/gl/cpu_time.h"
@@ -165,14 +165,7 @@ void savePicture(const std::string& path, const ReferencePicture& picture, bool 
     saveExr(path, picture.color, errors);
     return;
   }
-  ImageRgba8 display{picture.color.width, picture.color.height, {}, {}};
-  for (std::size_t i = 0; i + 3 < picture.color.pixels.size(); i += 4) {
-    const float* p = &picture.color.pixels[i];
-    for (const std::uint8_t byte : displayBytes({p[0], p[1], p[2]}, scene.exposure, scene.tone))
-      display.pixels.push_back(byte);
-    display.pixels.push_back(255);
-  }
-  savePng(path, display);
+  savePng(path, displayPicture(picture.color, scene.exposure, scene.tone));
 }
 
 struct ErrorSummary {

@@ -60,6 +60,18 @@ void showDiffers(QWidget* field, bool differ) {
   }
 }
 
+void showNothing(QWidget* panel, bool nothing) {
+  const auto fields = panel->findChildren<QWidget*>();
+  for (QWidget* field : fields) {
+    if (auto* box = qobject_cast<QCheckBox*>(field)) {
+      box->setTristate(false);
+      if (nothing) box->setChecked(false);
+    } else {
+      showDiffers(field, nothing);
+    }
+  }
+}
+
 QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names) {
   QVector<ProbeChoice> choices;
   for (int i = 0; i < names.size(); ++i) choices.push_back({names[i], i, choiceTip(field, i)});

@@ -38,6 +38,9 @@ void showChoice(QComboBox* combo, int value, const QString& pattern = "%1");
 /// box that shows the value of one of them already.
 void showDiffers(QWidget* field, bool differ);
 
+/// Where no probe is selected: the fields of `panel` have dashes for values and no tick. `nothing` false ends that.
+void showNothing(QWidget* panel, bool nothing);
+
 /// Choices of a field by its row, under the names a form shows, in the order of the ids.
 QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names);
 

@@ -98,6 +98,13 @@ void ProbeGauge::setOn(bool on) {
   update();
 }
 
+void ProbeGauge::setQuiet(bool quiet) {
+  if (quiet == quiet_) return;
+  quiet_ = quiet;
+  if (quiet) forget();
+  update();
+}
+
 bool ProbeGauge::current() const {
   const Probe* probe = editor_.probe();
   return gauge_ && probe != nullptr && !outdated_ && measured_ && sameGauge(*measured_, *probe);
@@ -112,7 +119,7 @@ void ProbeGauge::forget() {
 
 void ProbeGauge::update() {
   const Probe* probe = editor_.probe();
-  if (!on_ || probe == nullptr || models_.empty()) {
+  if (!measures() || probe == nullptr || models_.empty()) {
     rest_.stop();
     work_.stop();
     return forget();
@@ -132,7 +139,7 @@ void ProbeGauge::update() {
 void ProbeGauge::start() {
   const Probe* probe = editor_.probe();
   // Between a scene and its models, when one is opened, there is nothing to measure.
-  if (!on_ || probe == nullptr || models_.size() != editor_.scene().models.size()) return;
+  if (!measures() || probe == nullptr || models_.size() != editor_.scene().models.size()) return;
   outdated_ = false;
   asked_ = *probe;
   work_.start([this, kept = kept_, scene = surroundingsOf(editor_.scene()), models = models_,
@@ -142,7 +149,7 @@ void ProbeGauge::start() {
     if (found) {
       finish = [this, found, probe] {
         const Probe* shown = editor_.probe();
-        if (!on_ || shown == nullptr || shown->name != probe.name) return;
+        if (!measures() || shown == nullptr || shown->name != probe.name) return;
         gauge_ = found;
         measured_ = probe;
         emit changed();

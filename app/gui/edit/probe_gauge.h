@@ -28,6 +28,8 @@ class ProbeGauge : public QObject {
   /// Off: nothing is measured and nothing is known.
   void setOn(bool on);
   bool on() const { return on_; }
+  /// For a while nothing is measured, whatever the user chose.
+  void setQuiet(bool quiet);
   /// The document changed.
   void update();
 
@@ -56,7 +58,8 @@ class ProbeGauge : public QObject {
 
   Editor& editor_;
   std::vector<std::shared_ptr<const Model>> models_;
-  bool on_ = true;
+  bool on_ = true, quiet_ = false;
+  bool measures() const { return on_ && !quiet_; }
   QTimer rest_;
   std::shared_ptr<Kept> kept_;     ///< the thread's while it runs
   std::optional<Probe> asked_;     ///< what is measured

@@ -209,7 +209,8 @@ void BakePanel::saveNext() {
     const std::string& scene = editor_.document().path();
     renderer_.useBakedFiles(scene.empty() ? std::string() : BakeFolder::besideScene(scene));
     checkFiles_ = false;
-    const QString done = tr("Wrote %1 files to %2").arg(saved_).arg(folder_);
+    const QString done =
+        saved_ == 1 ? tr("Wrote 1 file to %1").arg(folder_) : tr("Wrote %1 files to %2").arg(saved_).arg(folder_);
     if (notFinished_.isEmpty()) {
       emit message(done);
     } else {

@@ -41,6 +41,7 @@ class CapturePanel : public QWidget {
   void showRow(QWidget* field, bool shown);
 
   Editor& editor_;
+  bool empty_ = false;  ///< no probe is selected
   QFormLayout* form_ = nullptr;
   QLabel* black_ = nullptr;  ///< why mirrors are black with one bounce
   QComboBox *mode_ = nullptr, *faceSize_ = nullptr, *samples_ = nullptr, *bounces_ = nullptr, *filter_ = nullptr,

@@ -72,7 +72,7 @@ FitPanel::FitPanel(Editor& editor, QWidget* parent)
   auto* grid = new QGridLayout;
   rows->addLayout(grid);
   for (int face = 0; face < kFaces; ++face) {
-    auto* box = new QCheckBox(review_);
+    auto* box = new QCheckBox(faceName(face), review_);
     box->setObjectName(QString("fitFace%1").arg(face));
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // the column is no wider for it
     faces_[static_cast<std::size_t>(face)] = box;
@@ -189,6 +189,11 @@ void FitPanel::discard() {
   remarks_->clear();
   emit ghostChanged({});
   refresh();
+}
+
+void FitPanel::setQuiet(bool quiet) {
+  gauge_->setQuiet(quiet);
+  rows_->setVisible(!quiet);
 }
 
 void FitPanel::update() {

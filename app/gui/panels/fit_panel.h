@@ -36,6 +36,8 @@ class FitPanel : public QWidget {
   /// The document changed: a result for what is no longer so is dropped.
   void update();
 
+  /// Quiet: no error is measured or shown, of a scene that is wrong on purpose.
+  void setQuiet(bool quiet);
   /// The error of the probe as it stands.
   ProbeGauge& gauge() { return *gauge_; }
   GaugeRows& rows() { return *rows_; }

@@ -218,7 +218,10 @@ void FramePanel::fill(const FrameReport& report) {
   std::stable_sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.bytes > b.bytes; });
   for (std::size_t i = 0; i < held.size() && i < kListed && held[i].bytes > 0; ++i) {
     addRowTo(memory, text(held[i].name), megabytes(held[i].bytes),
-             tr("lights %1 objects, %2 of them in this frame").arg(held[i].objects).arg(held[i].drawn));
+             (held[i].objects == 1 ? tr("lights %1 object, %2 of them in this frame")
+                                   : tr("lights %1 objects, %2 of them in this frame"))
+                 .arg(held[i].objects)
+                 .arg(held[i].drawn));
   }
 }
 

@@ -14,12 +14,17 @@
 #include "app/gui/view/display_image.h"
 #include "app/gui/view/picture_difference.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/window_words.h"
 #include "app/session/offscreen_scene.h"
 #include "filters/core/base/errors.h"
 
 namespace boxprobe {
 
 namespace {
+
+QString roomsText(std::size_t count) {
+  return count == 1 ? PlacePanel::tr("1 room") : PlacePanel::tr("%1 rooms").arg(count);
+}
 
 QString errorText(double degrees) {
   return QString::number(degrees, 'f', 2) + QString::fromUtf8("\u00b0");
@@ -172,7 +177,7 @@ void PlacePanel::review(Result result) {
   const Placement& placement = result.placement;
   const PictureCheck* pictures = result.pictures ? &*result.pictures : nullptr;
   QStringList lines;
-  for (const std::string& remark : placement.remarks) lines += QString::fromStdString(remark);
+  for (const std::string& remark : placement.remarks) lines += windowWords(QString::fromStdString(remark));
   if (!result.notCompared.isEmpty()) lines += result.notCompared;
   const bool told = pictures != nullptr && !pictures->sentences.empty();
   if (told && (!pictures->better || pictures->eyes == 0)) {
@@ -203,7 +208,10 @@ void PlacePanel::review(Result result) {
     const Probe& kept = placement.kept[i];
     const auto before = findProbe(given_, kept.name);
     if (before && given_.probes[*before] == kept) continue;
-    propose(kept, true, i, tr("As it is, but with %1 bounces of light").arg(kept.bounces), {});
+    propose(kept, true, i,
+            kept.bounces == 1 ? tr("As it is, but with 1 bounce of light")
+                              : tr("As it is, but with %1 bounces of light").arg(kept.bounces),
+            {});
   }
   for (std::size_t i = 0; i < placement.probes.size(); ++i) {
     const PlacedProbe& placed = placement.probes[i];
@@ -216,15 +224,14 @@ void PlacePanel::review(Result result) {
   replace_->setVisible(!given_.probes.empty() && !allOwn);
   replace_->setChecked(!given_.probes.empty() && !allOwn);
   if (pictures != nullptr && pictures->eyes > 0 && pictures->before.error > 0.0) {
-    errors_->setText(
-        tr("%1 rooms. Error of pictures against the path tracer's: %2. Light: %3 of the truth's, before %4")
-            .arg(placement.rooms.size())
-            .arg(changeText(pictures->before.error, pictures->after.error))
-            .arg(pictures->after.light, 0, 'f', 2)
-            .arg(pictures->before.light, 0, 'f', 2));
+    errors_->setText(tr("%1. Error of pictures against the path tracer's: %2. Light: %3 of the truth's, before %4")
+                         .arg(roomsText(placement.rooms.size()))
+                         .arg(changeText(pictures->before.error, pictures->after.error))
+                         .arg(pictures->after.light, 0, 'f', 2)
+                         .arg(pictures->before.light, 0, 'f', 2));
   } else {
-    errors_->setText(tr("%1 rooms. Mean error of lookups, pictures not compared: %2 \u2192 %3")
-                         .arg(placement.rooms.size())
+    errors_->setText(tr("%1. Mean error of lookups, pictures not compared: %2 \u2192 %3")
+                         .arg(roomsText(placement.rooms.size()))
                          .arg(errorText(placement.before.meanDegrees), errorText(placement.after.meanDegrees)));
   }
   result_ = std::move(proposed);
@@ -252,21 +259,22 @@ void PlacePanel::apply() {
   const bool replace = replace_->isChecked();
   discard();
   std::string first;
-  editor_.commit(tr("Place %1 probes").arg(placed.size()), [&](Scene& scene) {
-    if (replace) scene.probes.clear();
-    first.clear();
-    for (const Proposed& each : placed) {
-      Probe probe = each.probe;
-      const auto own = each.own ? findProbe(scene, probe.name) : std::nullopt;
-      if (!own) probe.name = unusedProbeName(scene, probe.name);
-      if (first.empty()) first = probe.name;
-      if (own) {
-        scene.probes[*own] = std::move(probe);
-      } else {
-        scene.probes.push_back(std::move(probe));
-      }
-    }
-  });
+  editor_.commit(placed.size() == 1 ? tr("Place 1 probe") : tr("Place %1 probes").arg(placed.size()),
+                 [&](Scene& scene) {
+                   if (replace) scene.probes.clear();
+                   first.clear();
+                   for (const Proposed& each : placed) {
+                     Probe probe = each.probe;
+                     const auto own = each.own ? findProbe(scene, probe.name) : std::nullopt;
+                     if (!own) probe.name = unusedProbeName(scene, probe.name);
+                     if (first.empty()) first = probe.name;
+                     if (own) {
+                       scene.probes[*own] = std::move(probe);
+                     } else {
+                       scene.probes.push_back(std::move(probe));
+                     }
+                   }
+                 });
   editor_.selectProbe(findProbe(editor_.scene(), first));
 }
 

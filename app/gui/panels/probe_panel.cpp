@@ -249,7 +249,13 @@ void ProbePanel::updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box)
 void ProbePanel::update() {
   const Probe* probe = editor_.probe();
   setEnabled(probe != nullptr);
-  if (!probe) return;
+  if (!probe || empty_) showNothing(this, !probe);
+  empty_ = !probe;
+  if (!probe) {
+    for (QLabel* label : {size_, techniqueHelp_}) label->clear();
+    several_->hide();
+    return;
+  }
   origin_->show(probe->origin);
   // Bounds narrow only after the new values are in, which the old bounds must not cut off.
   const FieldRange corner = formRange(boxField("min"));

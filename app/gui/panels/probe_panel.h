@@ -43,6 +43,7 @@ class ProbePanel : public QWidget {
   QString label(const QString& what) const;
 
   Editor& editor_;
+  bool empty_ = false;  ///< no probe is selected
   VectorRow *origin_ = nullptr, *boxMin_ = nullptr, *boxMax_ = nullptr, *rotation_ = nullptr;
   QLabel *size_ = nullptr, *several_ = nullptr;
   QCheckBox* ownInfluence_ = nullptr;

@@ -27,8 +27,8 @@ CompareViews::CompareViews(QWidget* picture, const std::vector<Choice>& choices)
     combo->setToolTip(tr(
         "This view shows what you choose here. The error beside it tells how far its display colours are from those of "
         "the ray-traced view, or of the scene as it is: the mean in percent of white, and the PSNR. Once the traced "
-        "view is as fine: its mean light over the traced one's, and the relative RMSE, as bench --whole measures "
-        "them"));
+        "view is as fine: its mean light over the traced one's, and the relative RMSE, as the benchmark of whole "
+        "pictures measures them"));
     combo->setMaxVisibleItems(24);
     for (const Choice& choice : choices) {
       combo->addItem(choice.text, choice.id);

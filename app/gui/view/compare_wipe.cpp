@@ -9,6 +9,7 @@
 
 #include "app/gui/view/picture_difference.h"
 #include "app/gui/widgets/axis_colors.h"
+#include "app/session/display_picture.h"
 
 namespace boxprobe {
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "app/session/display_picture.h"
 #include "filters/reference/bench/whole_picture.h"
 
 namespace boxprobe {
@@ -42,17 +43,8 @@ QString lightText(const LightDifference& difference) {
 }
 
 QColor differenceColor(double difference) {
-  // As lightness grows evenly: matplotlib's "inferno" at nine places.
-  static constexpr int kColors[][3] = {{0, 0, 4},     {31, 12, 72},   {85, 15, 109},  {136, 34, 106}, {186, 54, 85},
-                                       {227, 89, 51}, {249, 140, 10}, {249, 201, 50}, {252, 255, 164}};
-  constexpr int kLast = static_cast<int>(std::size(kColors)) - 1;
-  const double at = std::clamp(difference / kMostDifference, 0.0, 1.0) * kLast;
-  const int below = std::min(static_cast<int>(at), kLast - 1);
-  const auto mixed = [&](int channel) {
-    const double share = at - below;
-    return static_cast<int>(std::lround((1.0 - share) * kColors[below][channel] + share * kColors[below + 1][channel]));
-  };
-  return {mixed(0), mixed(1), mixed(2)};
+  const std::array<std::uint8_t, 3> bytes = differenceBytes(difference);
+  return {bytes[0], bytes[1], bytes[2]};
 }
 
 PictureDifference pictureDifference(const QImage& a, const QImage& b) {

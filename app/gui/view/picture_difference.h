@@ -34,9 +34,7 @@ std::optional<LightDifference> lightDifference(const ImageRgbaF& picture, const 
 /// "light 0.96, RMSE 0.14", and ", noise 0.03" where that is more than a tenth of the RMSE.
 QString lightText(const LightDifference& difference);
 
-/// The difference from which on the colour does not change.
-inline constexpr double kMostDifference = 0.25;
-/// Black for none, by purple, red and yellow to white: lighter is more, for every eye.
+/// As differenceBytes() has it.
 QColor differenceColor(double difference);
 
 }  // namespace boxprobe

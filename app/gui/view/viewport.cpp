@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "app/gui/handles/probe_widget.h"
+#include "app/gui/widgets/place_keys.h"
 #include "app/gui/widgets/pointer_place.h"
 #include "filters/vtk/gl/software_driver.h"
 
@@ -196,7 +197,7 @@ bool Viewport::event(QEvent* event) {
   // While the button is held E flies up; the menu has it otherwise.
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (cameraController_.takesKey(key->key(), key->modifiers())) {
+    if (cameraController_.takesKey(keyByPlace(*key), key->modifiers())) {
       event->accept();
       return true;
     }
@@ -205,21 +206,22 @@ bool Viewport::event(QEvent* event) {
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
-  if (cameraController_.takesKey(event->key(), event->modifiers())) {
-    if (!event->isAutoRepeat()) cameraController_.keyDown(event->key(), event->modifiers().testFlag(Qt::ShiftModifier));
+  const int key = keyByPlace(*event);
+  if (cameraController_.takesKey(key, event->modifiers())) {
+    if (!event->isAutoRepeat()) cameraController_.keyDown(key, event->modifiers().testFlag(Qt::ShiftModifier));
     return event->accept();
   }
   if (probeWidget_->nudge(event->key(), event->modifiers())) return event->accept();
-  if (const auto axis = axisOfKey(event->key()); axis && !event->isAutoRepeat()) probeWidget_->setHeldAxis(axis);
+  if (const auto axis = axisOfKey(key); axis && !event->isAutoRepeat()) probeWidget_->setHeldAxis(axis);
   QVTKOpenGLNativeWidget::keyPressEvent(event);
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent* event) {
   if (!event->isAutoRepeat()) {
-    cameraController_.keyUp(event->key());
+    cameraController_.keyUp(keyByPlace(*event));
     probeWidget_->endNudge();
   }
-  if (axisOfKey(event->key()) && !event->isAutoRepeat()) probeWidget_->setHeldAxis(std::nullopt);
+  if (axisOfKey(keyByPlace(*event)) && !event->isAutoRepeat()) probeWidget_->setHeldAxis(std::nullopt);
   QVTKOpenGLNativeWidget::keyReleaseEvent(event);
 }
 

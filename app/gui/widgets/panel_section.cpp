@@ -42,6 +42,7 @@ class SearchField : public QLineEdit {
 PanelSection::PanelSection(const QString& title, QWidget* parent)
     : QGroupBox(parent), title_(title), folded_(sectionIsFolded(title)) {
   setToolTip(QString());
+  setAccessibleName(title);  // without the mark that shows whether it is folded
   // What the keyboard comes to is seen.
   connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
     if (folded_ && now != nullptr && now != this && isAncestorOf(now)) setFolded(false);

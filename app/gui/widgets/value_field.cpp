@@ -5,11 +5,14 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSignalBlocker>
+#include <QStatusTipEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <limits>
 
 #include "app/gui/widgets/differs.h"
+#include "app/gui/widgets/typed_number.h"
 
 namespace boxprobe {
 
@@ -34,7 +37,45 @@ ValueField::ValueField(const Format& format, QWidget* parent) : QDoubleSpinBox(p
 }
 
 QString ValueField::textFromValue(double value) const {
-  return differs_ ? differsText() : QDoubleSpinBox::textFromValue(value);
+  return differs_ ? differsText() : shownNumber(value, decimals());
+}
+
+QString ValueField::withoutUnit(const QString& text) const {
+  QString number = text.trimmed();
+  const QString unit = suffix().trimmed();
+  if (!unit.isEmpty() && number.endsWith(unit)) number.chop(unit.size());
+  return number;
+}
+
+QValidator::State ValueField::validate(QString& text, int&) const {
+  const QString number = withoutUnit(text);
+  if (differs_ && number == differsText()) return QValidator::Intermediate;
+  // Letters are not even typed; two separators are, to be refused with a line.
+  for (const QChar c : number) {
+    if (c.isLetter()) return QValidator::Invalid;
+  }
+  const TypedNumber typed = typedNumber(number);
+  if (!typed.value) return QValidator::Intermediate;
+  return *typed.value >= minimum() && *typed.value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+double ValueField::valueFromText(const QString& text) const {
+  return typedNumber(withoutUnit(text)).value.value_or(value());
+}
+
+void ValueField::fixup(QString& text) const {
+  const QString number = withoutUnit(text);
+  if (number.isEmpty() || (differs_ && number == differsText())) return;
+  const TypedNumber typed = typedNumber(number);
+  const QString why =
+      typed.value ? tr("%1 is not between %2 and %3")
+                        .arg(number.trimmed(), shownNumber(minimum(), decimals()), shownNumber(maximum(), decimals()))
+                  : typed.why;
+  auto* self = const_cast<ValueField*>(this);  // Qt's own signature
+  QToolTip::showText(mapToGlobal(QPoint(0, height())), why, self);
+  QStatusTipEvent told(why);
+  QApplication::sendEvent(self, &told);
+  emit self->refused(why);
 }
 
 void ValueField::setDiffers(bool differs) {

@@ -41,9 +41,16 @@ class ValueField : public QDoubleSpinBox {
  signals:
   void previewed(double value);
   void committed(double value);
+  /// One line: why what was typed was not taken.
+  void refused(const QString& why);
 
  protected:
   QString textFromValue(double value) const override;
+  /// One separator is the decimal mark, whatever the locale. What is wrong stays until the field is left.
+  QValidator::State validate(QString& text, int& cursor) const override;
+  double valueFromText(const QString& text) const override;
+  /// Says why what was typed is not taken; the value from before comes back.
+  void fixup(QString& text) const override;
   void stepBy(int steps) override;
   void wheelEvent(QWheelEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -51,6 +58,7 @@ class ValueField : public QDoubleSpinBox {
   bool event(QEvent* event) override;
 
  private:
+  QString withoutUnit(const QString& text) const;
   void changed(double value);
   void commitPreview();
   void commitSoon();

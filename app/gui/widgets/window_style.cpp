@@ -10,6 +10,8 @@
 #include <QStyle>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
+#include <algorithm>
+#include <cmath>
 
 namespace boxprobe {
 
@@ -23,17 +25,18 @@ void setSurfaceFormat() {
 namespace {
 
 struct Look {
-  QColor window, base, button, text, dim, highlight, onHighlight, edge;
+  QColor window, base, button, text, dim, highlight, onHighlight, edge, tip;
   QColor accent, help, good, bad, deciding, remarkable;  ///< StyleColor's, in its order
 };
 
-// Contrast of text on its ground: at least 4.5, of dim text on the window 3.
-const Look kDark = {{0x2b, 0x2e, 0x33}, {0x1e, 0x20, 0x24}, {0x3a, 0x3e, 0x45}, {0xec, 0xee, 0xf0}, {0x85, 0x8a, 0x92},
-                    {0xff, 0xb3, 0x1a}, {0x1e, 0x20, 0x24}, {0x43, 0x47, 0x4e}, {0xff, 0xb3, 0x1a}, {0xb9, 0xbe, 0xc6},
-                    {0x5f, 0xc8, 0x7a}, {0xff, 0x8f, 0x80}, {0x4a, 0x3a, 0x12}, {0x5a, 0x43, 0x12}};
-const Look kLight = {{0xee, 0xef, 0xf1}, {0xff, 0xff, 0xff}, {0xe0, 0xe2, 0xe6}, {0x1b, 0x1d, 0x21}, {0x80, 0x85, 0x8d},
-                     {0xff, 0xb3, 0x1a}, {0x1e, 0x20, 0x24}, {0xb9, 0xbd, 0xc4}, {0x8a, 0x56, 0x00}, {0x52, 0x58, 0x61},
-                     {0x1b, 0x75, 0x36}, {0xb0, 0x1f, 0x10}, {0xff, 0xe9, 0xb8}, {0xff, 0xdf, 0x99}};
+// Contrast of text on its ground: at least 4.5, of what is disabled, too.
+const Look kDark = {{0x2b, 0x2e, 0x33}, {0x1e, 0x20, 0x24}, {0x3a, 0x3e, 0x45}, {0xec, 0xee, 0xf0}, {0xa4, 0xa9, 0xb1},
+                    {0xff, 0xb3, 0x1a}, {0x1e, 0x20, 0x24}, {0x43, 0x47, 0x4e}, {0x3a, 0x3e, 0x45}, {0xff, 0xb3, 0x1a},
+                    {0xb9, 0xbe, 0xc6}, {0x5f, 0xc8, 0x7a}, {0xff, 0x8f, 0x80}, {0x4a, 0x3a, 0x12}, {0x5a, 0x43, 0x12}};
+const Look kLight = {{0xee, 0xef, 0xf1}, {0xff, 0xff, 0xff}, {0xe0, 0xe2, 0xe6}, {0x1b, 0x1d, 0x21},
+                     {0x5f, 0x64, 0x6c}, {0xff, 0xb3, 0x1a}, {0x1e, 0x20, 0x24}, {0xb9, 0xbd, 0xc4},
+                     {0xff, 0xff, 0xff}, {0x8a, 0x56, 0x00}, {0x52, 0x58, 0x61}, {0x1b, 0x75, 0x36},
+                     {0xb0, 0x1f, 0x10}, {0xff, 0xe9, 0xb8}, {0xff, 0xdf, 0x99}};
 
 const Look* shown = &kDark;
 
@@ -52,6 +55,26 @@ QColor styleColor(StyleColor color) {
   return *colors[static_cast<int>(color)];
 }
 
+double contrast(const QColor& one, const QColor& other) {
+  const auto luminance = [](const QColor& color) {
+    const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+  };
+  const double a = luminance(one), b = luminance(other);
+  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+QColor readable(const QColor& color, const QColor& ground) {
+  constexpr double kReadable = 4.5;
+  constexpr int kStep = 4, kSteps = 64;
+  const int way = contrast(Qt::white, ground) > contrast(Qt::black, ground) ? kStep : -kStep;
+  QColor text = color;
+  for (int i = 0; i < kSteps && contrast(text, ground) < kReadable; ++i) {
+    text.setHsl(text.hslHue(), text.hslSaturation(), std::clamp(text.lightness() + way, 0, 255));
+  }
+  return text;
+}
+
 void applyWindowStyle(QApplication& application, Theme theme) {
   const bool systemIsLight = desktopIsLight();  // before the palette becomes our own
   shown = theme == Theme::Light || (theme == Theme::System && systemIsLight) ? &kLight : &kDark;
@@ -66,12 +89,13 @@ void applyWindowStyle(QApplication& application, Theme theme) {
   palette.setColor(QPalette::Text, look.text);
   palette.setColor(QPalette::Button, look.button);
   palette.setColor(QPalette::ButtonText, look.text);
-  palette.setColor(QPalette::BrightText, Qt::white);
-  palette.setColor(QPalette::ToolTipBase, QColor(0xf7, 0xf3, 0xe3));
-  palette.setColor(QPalette::ToolTipText, QColor(0x1e, 0x20, 0x24));
+  palette.setColor(QPalette::BrightText, look.text);
+  palette.setColor(QPalette::ToolTipBase, look.tip);
+  palette.setColor(QPalette::ToolTipText, look.text);
   palette.setColor(QPalette::Highlight, look.highlight);
   palette.setColor(QPalette::HighlightedText, look.onHighlight);
   palette.setColor(QPalette::Link, look.accent);
+  palette.setColor(QPalette::LinkVisited, look.accent);
   palette.setColor(QPalette::PlaceholderText, look.dim);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     palette.setColor(QPalette::Disabled, role, look.dim);
@@ -81,7 +105,7 @@ void applyWindowStyle(QApplication& application, Theme theme) {
   application.setPalette(palette);
   // The outline of boxes to tick is a darker shade of this colour: darker than the window it is not seen.
   QPalette ticks = palette;
-  ticks.setColor(QPalette::Window, look.dim.lighter(120));
+  ticks.setColor(QPalette::Window, look.dim);
   for (const char* kind : {"QMenu", "QCheckBox"}) QApplication::setPalette(ticks, kind);
 
   QFont font = application.font();
@@ -98,9 +122,12 @@ void applyWindowStyle(QApplication& application, Theme theme) {
               "QLabel#stepTry { color: %3; }"
               "QLabel#taskPraise { color: %4; }"
               "QStatusBar[failed=true] { color: %5; font-weight: bold; }"
-              "QToolTip { color: #1e2024; background: #f7f3e3; border: 1px solid #85754a; padding: 4px; }"
+              "QToolTip { color: %6; background: %7; border: 1px solid %8; padding: 4px; }"
+              // As lists: Fusion draws the choices as menus, on the ground that ticks are made of.
+              "QComboBox { combobox-popup: 0; }"
               "QStatusBar::item { border: none; }")
-          .arg(look.edge.name(), look.help.name(), look.accent.name(), look.good.name(), look.bad.name()));
+          .arg(look.edge.name(), look.help.name(), look.accent.name(), look.good.name(), look.bad.name())
+          .arg(look.text.name(), look.tip.name(), look.dim.name()));
 }
 
 }  // namespace boxprobe

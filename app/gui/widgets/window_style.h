@@ -31,4 +31,9 @@ enum class StyleColor {
 };
 QColor styleColor(StyleColor color);
 
+/// Contrast of two colours by WCAG 2.1, 1 to 21.
+double contrast(const QColor& one, const QColor& other);
+/// `color`, lighter or darker by as much as text on `ground` needs: a contrast of 4.5.
+QColor readable(const QColor& color, const QColor& ground);
+
 }  // namespace boxprobe

@@ -15,6 +15,7 @@
 #include "app/gui/edit/work_beside.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/recent_files.h"
+#include "app/gui/widgets/window_words.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/scene/scene_fields.h"
 #include "filters/io/cube/sky_picture.h"
@@ -149,8 +150,9 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     assignments_ = assignments;
     remember(path, digest);
     emit message(warning.isEmpty() ? (decided.isEmpty() ? tr("Opened %1").arg(path) : decided)
-                 : more == 0       ? warning
-                                   : tr("%1 (and %2 more; see `boxprobe info`)").arg(warning).arg(more));
+                 : more == 0       ? windowWords(warning)
+                 : more == 1       ? tr("%1 (and 1 more warning)").arg(windowWords(warning))
+                                   : tr("%1 (and %2 more warnings)").arg(windowWords(warning)).arg(more));
     return true;
   } catch (const LoadCancelled&) {
     emit message(tr("Loading cancelled; the scene is unchanged."));
@@ -251,7 +253,13 @@ bool FileCommands::save() {
 }
 
 bool FileCommands::saveAs() {
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save as"), folder(), tr("Scenes (*%1)").arg(kSceneSuffix));
+  const auto& models = document_.scene().models;
+  const QString own = !document_.path().empty() ? QFileInfo(QString::fromStdString(document_.path())).fileName()
+                      : models.empty()
+                          ? QString()
+                          : QFileInfo(QString::fromStdString(models.front().file)).completeBaseName() + kSceneSuffix;
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save as"), QDir(folder()).filePath(own),
+                                              tr("Scenes (*%1)").arg(kSceneSuffix));
   if (path.isEmpty()) return false;
   if (!path.endsWith(".json", Qt::CaseInsensitive)) {
     path += kSceneSuffix;

@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
+#include <algorithm>
 
 #include "app/gui/lessons/lesson_panel.h"
 #include "app/gui/lessons/lesson_view.h"
@@ -14,6 +15,7 @@ namespace boxprobe {
 LessonDock::LessonDock(LessonView& lessons, QMainWindow* window)
     : QObject(window),
       lessons_(lessons),
+      window_(window),
       dock_(new QDockWidget(QMainWindow::tr("Lessons"), window)),
       projector_(new Projector(window, dock_, lessons.panel())) {
   constexpr int kLessonWidth = 400;
@@ -25,10 +27,33 @@ LessonDock::LessonDock(LessonView& lessons, QMainWindow* window)
   dock_->hide();
   dock_->installEventFilter(this);
   connect(&lessons, &LessonView::shown, this, [this] {
+    if (dock_->isHidden()) makeRoom();
     dock_->show();
     dock_->raise();
   });
   connect(&lessons, &LessonView::openChanged, projector_, &Projector::setLessonOpen);
+}
+
+bool LessonDock::close() {
+  return dock_->isVisible() && !dock_->visibleRegion().isEmpty() && dock_->close();
+}
+
+// A window that is too narrow for text, picture and panels side by side would grow, perhaps beyond the screen: the text
+// then shares the panels' place.
+void LessonDock::makeRoom() {
+  if (dock_->isFloating() || window_->dockWidgetArea(dock_) != Qt::LeftDockWidgetArea) return;
+  constexpr int kBetween = 8;  // what can be dragged between docks
+  QDockWidget* beside = nullptr;
+  int panels = 0;
+  const auto docks = window_->findChildren<QDockWidget*>();
+  for (QDockWidget* dock : docks) {
+    if (window_->dockWidgetArea(dock) != Qt::RightDockWidgetArea || dock->isFloating() || dock->isHidden()) continue;
+    panels = std::max(panels, dock->minimumSizeHint().width() + kBetween);
+    if (beside == nullptr || !dock->visibleRegion().isEmpty()) beside = dock;
+  }
+  const int text = dock_->minimumSizeHint().width() + kBetween;
+  const int picture = window_->centralWidget() != nullptr ? window_->centralWidget()->minimumWidth() : 0;
+  if (beside != nullptr && text + picture + panels > window_->width()) window_->tabifyDockWidget(beside, dock_);
 }
 
 bool LessonDock::eventFilter(QObject* watched, QEvent* event) {

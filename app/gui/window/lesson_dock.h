@@ -18,13 +18,18 @@ class LessonDock : public QObject {
  public:
   /// Hidden at first, at the window's left.
   LessonDock(LessonView& lessons, QMainWindow* window);
+  /// Away with it, as its own button does; false where it is not seen.
+  bool close();
   Projector& projector() { return *projector_; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void makeRoom();
+
   LessonView& lessons_;
+  QMainWindow* window_;
   QDockWidget* dock_;
   Projector* projector_;
 };

@@ -4,8 +4,10 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QStatusBar>
 #include <utility>
@@ -24,6 +26,8 @@
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/rest_refinement.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/widgets/accessible_names.h"
+#include "app/gui/widgets/place_keys.h"
 #include "app/gui/widgets/preferences.h"
 #include "app/gui/widgets/recent_files.h"
 #include "app/gui/widgets/tool_icons.h"
@@ -38,6 +42,7 @@
 #include "app/gui/window/panel_docks.h"
 #include "app/gui/window/probe_exporter.h"
 #include "app/gui/window/projector.h"
+#include "app/gui/window/scene_reporter.h"
 #include "app/gui/window/status_line.h"
 #include "app/gui/window/view_tools.h"
 #include "filters/core/geometry/probe_at.h"
@@ -102,6 +107,15 @@ MainWindow::MainWindow()
       exporter_(new ProbeExporter(document_, *renderer_, this)),
       liveLink_(new LiveLink(document_, *renderer_,
                              {[this] { return models_; }, [this] { return lessons_->sceneName().isEmpty(); }}, this)),
+      reporter_(new SceneReporter(
+          [this] {
+            LoadedScene loaded;
+            loaded.scene = document_.scene();
+            loaded.models = models_;
+            loaded.path = document_.path();
+            return SceneReporter::Shown{std::move(loaded), renderer_->currentCamera(), files_->folderShown()};
+          },
+          this)),
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
       menu_(new MenuBar(this)),
       lessons_(new LessonView(
@@ -154,6 +168,7 @@ MainWindow::MainWindow()
   tools_->subscribe(views_);
   connect(tools_, &ViewTools::automaticExposureWanted, fitter_, &ModelFitter::exposeAgain);
   views_.updateAll();
+  nameControls(this);
 }
 
 MainWindow::~MainWindow() {
@@ -230,6 +245,9 @@ void MainWindow::connectFiles() {
   connect(liveLink_, &LiveLink::switched, menu_, &MenuBar::showLiveLink);
   connect(liveLink_, &LiveLink::message, status_, &StatusLine::showMessage);
   connect(liveLink_, &LiveLink::failed, status_, &StatusLine::showError);
+  connect(menu_, &MenuBar::reportRequested, reporter_, &SceneReporter::ask);
+  connect(reporter_, &SceneReporter::message, status_, &StatusLine::showMessage);
+  connect(reporter_, &SceneReporter::failed, status_, &StatusLine::showError);
   connect(menu_, &MenuBar::quitRequested, this, &QWidget::close);
   connect(menu_, &MenuBar::recentChosen, files_, &FileCommands::openPath, Qt::QueuedConnection);
   // Later: the menu is made anew by what it brings about.
@@ -320,10 +338,13 @@ void MainWindow::connectDebugView() {
 }
 
 void MainWindow::connectLessons() {
-  connect(menu_, &MenuBar::lessonsRequested, this, &MainWindow::showLessons);
+  connect(menu_, &MenuBar::lessonsRequested, this, &MainWindow::toggleLessons);
   connect(menu_, &MenuBar::projectorSwitched, &projector(), &Projector::setOn);
   connect(&projector(), &Projector::switched, menu_, &MenuBar::showProjector);
   connect(lessons_, &LessonView::openChanged, this, &MainWindow::updateTitle);
+  // A lesson's room is wrong on purpose, and the lesson says how.
+  connect(lessons_, &LessonView::openChanged, this,
+          [this] { panels_->fitPanel().setQuiet(!lessons_->sceneName().isEmpty()); });
   connect(lessons_, &LessonView::pictureChanged, &scheduler(), &RenderScheduler::requestRender);
   connect(lessons_, &LessonView::message, status_, &StatusLine::showMessage);
   connect(lessons_, &LessonView::failed, status_, &StatusLine::showError);
@@ -351,6 +372,10 @@ double MainWindow::pictureAspect() const {
 
 void MainWindow::showLessons() {
   lessons_->showList();
+}
+
+void MainWindow::toggleLessons() {
+  if (!lessonDock_->close()) showLessons();
 }
 
 void MainWindow::openLesson(const QString& name, std::optional<std::size_t> step) {
@@ -413,6 +438,19 @@ void MainWindow::takePose(const std::vector<std::shared_ptr<const Model>>& model
   renderer_->setModels(models);
   debugView_->setModels(models);
   if (tools_ != nullptr) tools_->modelsReplaced();
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  const int key = keyByPlace(*event);
+  if (key == event->key()) return QMainWindow::keyPressEvent(event);
+  const QKeySequence wanted(static_cast<int>(event->modifiers() & ~Qt::GroupSwitchModifier) | key);
+  const auto actions = findChildren<QAction*>();
+  for (QAction* action : actions) {
+    if (!action->isEnabled() || !action->shortcuts().contains(wanted)) continue;
+    if (!event->isAutoRepeat() || action->autoRepeat()) action->trigger();
+    return event->accept();
+  }
+  QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -36,6 +36,7 @@ class ProbeWidget;
 class Projector;
 class RenderScheduler;
 class RestRefinement;
+class SceneReporter;
 class SceneRenderer;
 class SceneSurfaces;
 class StatusLine;
@@ -54,6 +55,8 @@ class MainWindow : public QMainWindow {
 
   /// The list of lessons beside the picture; the scene on show stays.
   void showLessons();
+  /// The same, or away with it where it is on show.
+  void toggleLessons();
   /// A lesson, from that step (0 the first) or where the learner left off. The scene on show comes back afterwards.
   void openLesson(const QString& name, std::optional<std::size_t> step = {});
 
@@ -66,6 +69,7 @@ class MainWindow : public QMainWindow {
   Autosave& autosave() { return *autosave_; }
   ProbeExporter& exporter() { return *exporter_; }
   LiveLink& liveLink() { return *liveLink_; }
+  SceneReporter& reporter() { return *reporter_; }
   DebugView& debugView() { return *debugView_; }
   LessonView& lessons() { return *lessons_; }
   Projector& projector();
@@ -88,6 +92,8 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  /// Shortcuts by the place of their key, where the layout has something else there.
+  void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -121,6 +127,7 @@ class MainWindow : public QMainWindow {
   Autosave* autosave_;
   ProbeExporter* exporter_;
   LiveLink* liveLink_;
+  SceneReporter* reporter_;
   std::unique_ptr<DebugView> debugView_;
   MenuBar* menu_;
   LessonView* lessons_;

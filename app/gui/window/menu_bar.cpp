@@ -31,6 +31,8 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   liveLink_ = addToggle(file, tr("&Live link..."), {}, &MenuBar::liveLinkRequested);
   liveLink_->setChecked(false);
   add(file, tr("Save &baked probes..."), {}, &MenuBar::saveBakedRequested);
+  add(file, tr("Repor&t..."), {}, &MenuBar::reportRequested)
+      ->setToolTip(tr("One HTML file: every camera drawn and path traced, the probes with their fit and cost"));
   file->addSeparator();
   add(file, tr("&Quit"), QKeySequence("Ctrl+Q"), &MenuBar::quitRequested);
 

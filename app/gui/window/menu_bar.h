@@ -66,6 +66,7 @@ class MenuBar : public QObject {
   void exportProbesRequested();
   void liveLinkRequested(bool on);
   void saveBakedRequested();
+  void reportRequested();
   void recentChosen(const QString& path);
   void variantChosen(const QString& name);
   void quitRequested();

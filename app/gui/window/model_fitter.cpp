@@ -94,6 +94,7 @@ void ModelFitter::buildMenu(QMainWindow* window) {
 
   button_ = new QToolButton(window->statusBar());
   button_->setObjectName("modelKind");
+  button_->setAccessibleName(tr("Kind of model"));
   button_->setMenu(menu_);
   button_->setPopupMode(QToolButton::InstantPopup);
   window->statusBar()->addPermanentWidget(button_);
@@ -145,6 +146,7 @@ void ModelFitter::update() {
   button_->setVisible(shown);
   if (!shown) return;
   button_->setText(kindName(fit_->kind));
+  button_->setAccessibleName(tr("Kind of model: %1").arg(kindName(fit_->kind)));
   button_->setToolTip(QString::fromStdString(fit_->decided));
   for (const auto& [kind, action] : kinds_) action->setChecked(kind == wishes_.kind);
   for (const auto& [light, action] : lights_) action->setChecked(light == wishes_.light);

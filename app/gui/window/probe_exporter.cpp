@@ -86,7 +86,7 @@ void ProbeExporter::start(const ExportSettings& settings, const QString& folder)
   settings_ = settings;
   folder_ = folder;
   running_ = true;
-  emit message(tr("Exporting %1 probe(s)").arg(waiting_.size()));
+  emit message((waiting_.size() == 1 ? tr("Exporting 1 probe") : tr("Exporting %1 probes").arg(waiting_.size())));
   turn_.start();
 }
 
@@ -131,7 +131,9 @@ void ProbeExporter::write() {
     bool good = true;
     try {
       const auto files = exportProbes(captures, settings, folder.toStdString(), [this](double) { return !stop_; });
-      text = tr("Wrote %1 files to %2").arg(files.size()).arg(folder) + left;
+      text = (files.size() == 1 ? tr("Wrote 1 file to %1").arg(folder)
+                                : tr("Wrote %1 files to %2").arg(files.size()).arg(folder)) +
+             left;
       good = left.isEmpty();
     } catch (const std::exception& error) {
       text = QString::fromUtf8(error.what());

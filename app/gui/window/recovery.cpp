@@ -22,7 +22,7 @@ QString tr(const char* text) {
 
 void offerRecovery(MainWindow& window) {
   for (const Autosave::Kept& kept : Autosave::leftBehind()) {
-    const QString time = QLocale().toString(kept.time, QLocale::ShortFormat);
+    const QString time = QLocale::system().toString(kept.time, QLocale::ShortFormat);
     const QString scene = kept.folderShown.isEmpty() ? kept.name : tr("%1 in %2").arg(kept.name, kept.folderShown);
     PlainQuestion box(&window, tr("Unsaved changes"),
                       tr("Boxprobe ended without saving %1. Its changes up to %2 can be recovered.").arg(scene, time));

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFontDatabase>
+#include <QLocale>
 #include <QTimer>
 #include <algorithm>
 #include <clocale>
@@ -75,7 +76,8 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   setSurfaceFormat();
   QCoreApplication::setApplicationName("Boxprobe");
   Application application(argc, argv);
-  std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's, and with it commas into every file's numbers
+  std::setlocale(LC_NUMERIC, "C");    // Qt has taken the user's, and with it commas into every file's numbers
+  QLocale::setDefault(QLocale::c());  // numbers are shown in one way, as files and documents have them
   warnOfNoFonts();
   const int theme = chosenTheme().value_or(static_cast<int>(Theme::System));
   applyWindowStyle(application, static_cast<Theme>(theme));

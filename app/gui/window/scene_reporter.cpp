@@ -1,0 +1,78 @@
+// See scene_reporter.h.
+#include "app/gui/window/scene_reporter.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "app/gui/edit/work_beside.h"
+#include "app/session/offscreen_scene.h"
+#include "app/session/output_check.h"
+#include "app/web/review_page.h"
+#include "filters/io/files/atomic_file.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kPaths = 128;  // as the command has it
+
+}  // namespace
+
+SceneReporter::SceneReporter(std::function<Shown()> shown, QWidget* window)
+    : QObject(window), shown_(std::move(shown)), window_(window) {
+  settings_.paths = kPaths;
+}
+
+void SceneReporter::ask() {
+  QString path = QFileDialog::getSaveFileName(window_, tr("Report"), QDir(shown_().folder).filePath("report.html"),
+                                              tr("Pages (*.html)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".html";
+  write(path);
+}
+
+bool SceneReporter::write(const QString& path) {
+  if (workBesideRuns()) {
+    emit message(tr("Wait until what is being read or fitted is done"));
+    return false;
+  }
+  try {
+    requireExtension("Report", path.toStdString(), {".html", ".htm"});
+    requireWritable("Report", path.toStdString());
+    Shown shown = shown_();
+    ReviewSettings settings = settings_;
+    settings.cameras = shown.loaded.scene.cameras;
+    if (settings.cameras.empty()) settings.cameras = {shown.view};
+    const std::string scene = !shown.loaded.path.empty()           ? shown.loaded.path
+                              : !shown.loaded.scene.models.empty() ? shown.loaded.scene.models.front().file
+                                                                   : std::string();
+    const std::string command = "boxprobe report " + scene + " -o " + path.toStdString();
+    std::optional<SceneReview> review;
+    workBeside(window_, tr("Drawing and path tracing the cameras for the report"), true,
+               [&](const BesideProgress& progress) {
+                 OffscreenSettings hidden;
+                 hidden.command = "boxprobe";
+                 hidden.beside = true;
+                 OffscreenScene drawn(hidden);
+                 review = reviewScene(std::move(shown.loaded), drawn, settings, progress);
+               });
+    if (!review) {
+      emit message(tr("The report was cancelled; nothing was written"));
+      return false;
+    }
+    ReviewPage page({command, std::nullopt, settings});
+    page.add(*review);
+    writeTextAtomically(path.toStdString(), page.text());
+    emit message(tr("Wrote %1; the largest error of a camera is %2").arg(path).arg(review->worstError(), 0, 'f', 3));
+    return true;
+  } catch (const std::exception& error) {
+    emit failed(tr("No report: %1").arg(QString::fromUtf8(error.what())));
+    return false;
+  }
+}
+
+}  // namespace boxprobe
