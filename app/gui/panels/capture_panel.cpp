@@ -163,6 +163,7 @@ void CapturePanel::setModels(const std::vector<std::shared_ptr<const Model>>& mo
 void CapturePanel::update() {
   const Probe* probe = editor_.probe();
   setEnabled(probe != nullptr);
+  setVisible(probe != nullptr);  // no values of a probe that is not selected any more
   if (!probe) return;
   showChoice(mode_, static_cast<int>(probe->mode));
   const bool custom = probe->mode == ProbeMode::Custom;

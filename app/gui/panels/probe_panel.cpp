@@ -249,6 +249,7 @@ void ProbePanel::updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box)
 void ProbePanel::update() {
   const Probe* probe = editor_.probe();
   setEnabled(probe != nullptr);
+  setVisible(probe != nullptr);  // no values of a probe that is not selected any more
   if (!probe) return;
   origin_->show(probe->origin);
   // Bounds narrow only after the new values are in, which the old bounds must not cut off.

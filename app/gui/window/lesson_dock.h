@@ -27,6 +27,7 @@ class LessonDock : public QObject {
   LessonView& lessons_;
   QDockWidget* dock_;
   Projector* projector_;
+  int outlinerWidth_ = 0;  ///< before a lesson took its place
 };
 
 }  // namespace boxprobe
