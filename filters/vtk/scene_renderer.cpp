@@ -367,6 +367,24 @@ const PreviewSphereSettings& SceneRenderer::previewSphere() const {
   return impl_->sphere.settings();
 }
 
+void SceneRenderer::setWindowView(const WindowView& view) {
+  impl_->setWindowView(view);
+}
+
+const WindowView& SceneRenderer::windowView() const {
+  return impl_->windowView;
+}
+
+std::optional<Box> SceneRenderer::objectBounds(const std::string& node) const {
+  std::optional<Box> bounds;
+  for (const DrawnObject& object : impl_->content.objects) {
+    if (object.node != node || !object.settings.visible) continue;
+    const Box box = worldBounds(object);
+    bounds = bounds ? Box{glm::min(bounds->min, box.min), glm::max(bounds->max, box.max)} : box;
+  }
+  return bounds;
+}
+
 FrameReport SceneRenderer::frameReport() const {
   return reportFrame(impl_->content, impl_->probes, impl_->mirrors, counters());
 }

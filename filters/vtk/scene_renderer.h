@@ -30,6 +30,7 @@
 #include "filters/vtk/capture/work_times.h"
 #include "filters/vtk/draw/frame_parts.h"
 #include "filters/vtk/draw/tuning_parts.h"
+#include "filters/vtk/draw/window_view.h"
 #include "filters/vtk/frame/frame_count.h"
 #include "filters/vtk/frame/frame_report.h"
 #include "filters/vtk/frame/refinement.h"
@@ -225,6 +226,13 @@ class BOXPROBE_EXPORT SceneRenderer {
   /// A sphere at a probe's origin, lit by its maps alone; not in captures, explanations and renderLinear().
   void showPreviewSphere(const PreviewSphereSettings& settings);
   const PreviewSphereSettings& previewSphere() const;
+
+  /// What the window's own frames leave out and mark; nothing at first. Kept when models change. Pictures of
+  /// renderDisplay() have it, too: whoever keeps them sets nothing before.
+  void setWindowView(const WindowView& view);
+  const WindowView& windowView() const;
+  /// World bounds of an object by its node; nothing if no visible object has that name.
+  std::optional<Box> objectBounds(const std::string& node) const;
 
   /// What the last frame drew and omitted. Lookups are counted only by measureLookups, which draws.
   FrameReport frameReport() const;

@@ -42,6 +42,7 @@ SceneParts::SceneParts(vtkOpenGLRenderWindow* shownIn)
       frames(window, renderer, state, &content),
       mirrors(window, state, &content),
       sphere(window, renderer, state),
+      outline(window, renderer),
       shadows(window, state, &content),
       suns(window, state, &content) {
   state->shown = renderer;
@@ -165,6 +166,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
     for (DrawnObject& object : content.objects) applyOverrides(object, scene);
     content.showObjects(renderer);
     renderer->ForgetHidden();
+    applyWindowView();
   }
   // If there are many objects, none is known to be visible before the first frame.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
@@ -184,6 +186,31 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (lit || changes.sky) updateCaptures();
   if (view.any()) applyView();
   if (lit || changes.sky || changes.exposure) frames.sceneChanged();
+}
+
+void SceneParts::setWindowView(const WindowView& wanted) {
+  if (wanted == windowView) return;
+  const bool drawn = !(wanted.hidden == windowView.hidden && wanted.cutaway == windowView.cutaway);
+  windowView = wanted;
+  makeCurrent();
+  applyWindowView();
+  if (!drawn) return;
+  renderer->ForgetHidden();
+  renderer->ForgetDrawn();
+  frames.sceneChanged();
+}
+
+void SceneParts::applyWindowView() {
+  state->cut = windowView.cutaway;
+  std::vector<vtkActor*> outlined;
+  for (const DrawnObject& object : content.objects) {
+    const bool hidden = windowView.hidden.count(object.node) > 0;
+    object.pass->SetHiddenInView(hidden);
+    object.pass->SetCut(windowView.cutaway.has_value());
+    if (windowView.outlined.count(object.node) > 0 && !hidden && object.settings.visible)
+      outlined.push_back(object.actor);
+  }
+  outline.show(outlined);
 }
 
 void SceneParts::askTraced(bool changed) {
@@ -401,6 +428,7 @@ void SceneParts::releaseGraphics() {
   shadows.release();
   suns.release();
   sphere.release();
+  outline.release();
   ground->ReleaseGraphicsResources(window);
   probes.release();
   inspector.release();

@@ -17,6 +17,7 @@
 #include "filters/vtk/frame/moving_shadows.h"
 #include "filters/vtk/frame/picture_frames.h"
 #include "filters/vtk/frame/sun_shadows.h"
+#include "filters/vtk/inspect/object_outline.h"
 #include "filters/vtk/inspect/preview_sphere.h"
 #include "filters/vtk/inspect/shown_view.h"
 #include "filters/vtk/inspect/surface_inspector.h"
@@ -45,6 +46,8 @@ struct SceneParts {
   PictureFrames frames;
   MirrorSet mirrors;
   PreviewSphere sphere;
+  ObjectOutline outline;
+  WindowView windowView;
   MovingShadows shadows;
   SunShadows suns;
   ShownView view;
@@ -81,6 +84,10 @@ struct SceneParts {
   ImageRgbaF renderRefined(int width, int height, int samplesPerPixel, const RefineSettings& settings,
                            const std::function<void(int)>& beforeFrame);
   void releaseGraphics();
+
+  void setWindowView(const WindowView& wanted);
+  /// To objects made or moved since.
+  void applyWindowView();
 
   /// Deleting maps that are replaced or dropped needs their context.
   void makeCurrent();

@@ -14,7 +14,6 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
@@ -24,7 +23,7 @@
 #include <QToolButton>
 
 #include "app/gui/panels/hides_list.h"
-#include "app/gui/panels/probe_list.h"
+#include "app/gui/panels/outliner.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/widgets/recent_files.h"
 #include "app/gui/widgets/value_field.h"
@@ -152,7 +151,7 @@ TEST_F(BakePanelTest, BakeMakesTheProbeAgainAndTheStateFollows) {
   EXPECT_EQ(counters().facesCaptured - before, 6u);
   EXPECT_EQ(state(), "Up to date");
   EXPECT_TRUE(seen.contains("Capturing")) << seen.join(", ").toStdString();
-  EXPECT_EQ(window_->findChild<ProbeList*>()->list()->item(0)->toolTip(), "Up to date");
+  EXPECT_EQ(window_->findChild<Outliner*>()->model().probe(0).data(Qt::ToolTipRole), "Up to date");
   EXPECT_FALSE(document().canUndo()) << "baking edits nothing";
 }
 

@@ -70,7 +70,8 @@ TEST_F(CameraTest, ShiftMovesWithoutTurning) {
 TEST_F(CameraTest, TheWheelComesCloserToThePointUnderThePointer) {
   SceneSurfaces surfaces(document());
   surfaces.setModels(window_->models());
-  const QPointF at(300, 400);
+  // Far enough for a notch of the wheel to be a share of the way, and not the least step.
+  const QPointF at(0.5 * window_->viewport().width(), 0.42 * window_->viewport().height());
   const auto pointed = surfaces.meet(window_->viewport().view().ray({at.x(), at.y()}));
   ASSERT_TRUE(pointed);
   const glm::dvec3 before = camera().position;

@@ -9,7 +9,7 @@
 #include <QTest>
 #include <optional>
 
-#include "app/gui/panels/probe_list.h"
+#include "app/gui/panels/probe_commands.h"
 #include "filters/io/scene/scene_file.h"
 #include "tests/gui/window_test.h"
 
@@ -78,7 +78,7 @@ TEST_F(FitPanelTest, IsReviewedAndAppliedAsOneStep) {
 }
 
 TEST_F(FitPanelTest, AnAddedProbeIsFittedAndWaitsForAYes) {
-  window_->findChild<ProbeList*>()->addProbe();
+  window_->findChild<ProbeCommands*>()->addProbe();
   const std::size_t last = window_->editor().scene().probes.size() - 1;
   ASSERT_TRUE(panel()->running());
   ASSERT_TRUE(QTest::qWaitFor([this] { return !panel()->running(); }, 120000));

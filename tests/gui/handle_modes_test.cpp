@@ -197,14 +197,14 @@ TEST_F(HandleModesTest, AClickShowsTheObjectUnderThePointerInThePanels) {
   EXPECT_FALSE(document().canUndo());
 }
 
-TEST_F(HandleModesTest, HShowsTheKeys) {
-  key(Qt::Key_H);
+TEST_F(HandleModesTest, AQuestionMarkShowsTheKeys) {
+  key(Qt::Key_Question, Qt::ShiftModifier);
   auto* keys = window_->findChild<QLabel*>("keys");
   ASSERT_NE(keys, nullptr);
   EXPECT_TRUE(keys->isVisible());
   EXPECT_TRUE(keys->text().contains("Ctrl+Y"));
   if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT")) window_->grab().save(QString(folder) + "/keys.png");
-  key(Qt::Key_H);
+  key(Qt::Key_Question, Qt::ShiftModifier);
   EXPECT_FALSE(keys->isVisible());
 }
 

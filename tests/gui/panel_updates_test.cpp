@@ -17,7 +17,7 @@ class PanelUpdatesTest : public WindowTest {
   /// Of every panel, since `before` was counted.
   Updates since(const Updates& before = {}) const {
     Updates now;
-    for (const char* panel : {"probe list", "probe panel", "bake panel", "capture panel", "material panel",
+    for (const char* panel : {"outliner", "probe panel", "bake panel", "capture panel", "material panel",
                               "object panel", "light panel", "picture panel", "cubemap", "cost panel"}) {
       const auto was = before.find(panel);
       now[panel] = window_->views().updates(panel) - (was == before.end() ? 0 : was->second);
@@ -63,7 +63,7 @@ TEST_F(PanelUpdatesTest, EachEditReachesThePanelThatShowsIt) {
             (Updates{{"probe panel", 1}, {"bake panel", 1}, {"capture panel", 1}}));
   EXPECT_EQ(updatesOf([](Scene& scene) { scene.probes[0].technique = "sphere"; }),
             (Updates{{"probe panel", 1}, {"bake panel", 1}, {"cost panel", 1}}));
-  EXPECT_EQ(updatesOf([](Scene& scene) { scene.probes[0].name = "other"; }).count("probe list"), 1u);
+  EXPECT_EQ(updatesOf([](Scene& scene) { scene.probes[0].name = "other"; }).count("outliner"), 1u);
 }
 
 }  // namespace

@@ -8,12 +8,12 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QTest>
+#include <QTreeView>
 #include <glm/geometric.hpp>
 
 #include "app/gui/handles/probe_widget.h"
-#include "app/gui/panels/probe_list.h"
+#include "app/gui/panels/outliner.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/differs.h"
 #include "app/gui/widgets/quiet_combo.h"
@@ -50,17 +50,17 @@ class SeveralProbesTest : public WindowTest {
   }
   void TearDown() override { window_->probeWidget().setMode(HandleMode::Box); }
 
-  QListWidget* list() const { return window_->findChild<ProbeList*>()->list(); }
-  void clickRow(int row, Qt::KeyboardModifiers modifiers = {}) {
-    list()->scrollToItem(list()->item(row));
-    QTest::mouseClick(list()->viewport(), Qt::LeftButton, modifiers,
-                      list()->visualItemRect(list()->item(row)).center());
+  QTreeView* list() const { return window_->findChild<Outliner*>()->tree(); }
+  QModelIndex rowOf(std::size_t probe) const { return window_->findChild<Outliner*>()->model().probe(probe); }
+  void clickRow(std::size_t row, Qt::KeyboardModifiers modifiers = {}) {
+    list()->scrollTo(rowOf(row));
+    QTest::mouseClick(list()->viewport(), Qt::LeftButton, modifiers, list()->visualRect(rowOf(row)).center());
   }
   Places chosen() const { return window_->editor().selected(); }
   Places rows() const {
     Places rows;
-    for (int row = 0; row < list()->count(); ++row) {
-      if (list()->item(row)->isSelected()) rows.push_back(static_cast<std::size_t>(row));
+    for (std::size_t row = 0; row < window_->document().scene().probes.size(); ++row) {
+      if (rowOf(row).isValid() && list()->selectionModel()->isSelected(rowOf(row))) rows.push_back(row);
     }
     return rows;
   }
@@ -313,7 +313,7 @@ TEST_F(SeveralProbesTest, OneHalfOfATechniqueLeavesEachProbesOtherHalf) {
 }
 
 TEST_F(SeveralProbesTest, WhatTheSearchHidesIsNotSelectedAndNotDeleted) {
-  auto* filter = field<QLineEdit>("probeFilter");
+  auto* filter = field<QLineEdit>("outlinerFilter");
   selectAll();
   filter->setText("d");  // second, third
   EXPECT_EQ(chosen(), (Places{1, 2}));
@@ -335,7 +335,7 @@ TEST_F(SeveralProbesTest, WhatTheSearchHidesIsNotSelectedAndNotDeleted) {
 
 TEST_F(SeveralProbesTest, ARangeLeavesOutWhatTheSearchHides) {
   window_->editor().commit("Rename", [](Scene& scene) { scene.probes[1].name = "x"; });
-  auto* filter = field<QLineEdit>("probeFilter");
+  auto* filter = field<QLineEdit>("outlinerFilter");
   filter->setText("r");  // room, third
   clickRow(0);
   clickRow(2, Qt::ShiftModifier);
@@ -348,13 +348,14 @@ TEST_F(SeveralProbesTest, RenamingTheOneOnShowKeepsTheOthersSelected) {
   selectAll();
   const std::size_t at = *document().selectedProbe();
   list()->setFocus();
-  list()->editItem(list()->item(static_cast<int>(at)));
+  list()->edit(rowOf(at));
   auto* name = list()->viewport()->findChild<QLineEdit*>();
   ASSERT_NE(name, nullptr);
   name->selectAll();
   QTest::keyClicks(name, "hall");
   QTest::keyClick(name, Qt::Key_Return);
-  QCoreApplication::processEvents();  // the list takes the text over in the next turn
+  // The tree takes the text over in the next turn, and hands it on in the one after.
+  for (int turn = 0; turn < 2; ++turn) QCoreApplication::processEvents();
   ASSERT_EQ(probe(at).name, "hall");
   EXPECT_EQ(chosen(), (Places{0, 1, 2}));
   window_->editor().undo();

@@ -9,7 +9,6 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMenu>
 #include <QProgressDialog>
 #include <QStatusBar>
@@ -24,7 +23,7 @@
 
 #include "app/gui/edit/work_beside.h"
 #include "app/gui/panels/bake_panel.h"
-#include "app/gui/panels/probe_list.h"
+#include "app/gui/panels/outliner.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/file_commands.h"
@@ -147,8 +146,7 @@ TEST_F(WindowMannersTest, ANewWindowIsWideAndFitsASmallScreen) {
 }
 
 TEST_F(WindowMannersTest, ALongListOfProbesCanBeSearched) {
-  auto* filter = window_->findChild<QLineEdit*>("probeFilter");
-  EXPECT_FALSE(filter->isVisible()) << "a handful needs none";
+  auto* filter = window_->findChild<QLineEdit*>("outlinerFilter");
   window_->editor().commit("Many", [](Scene& scene) {
     for (int i = 0; i < 9; ++i) {
       Probe more = movedProbe(scene.probes.front(), {0.1 * (i + 1), 0.0, 0.0});
@@ -156,20 +154,15 @@ TEST_F(WindowMannersTest, ALongListOfProbesCanBeSearched) {
       scene.probes.push_back(more);
     }
   });
-  ASSERT_TRUE(filter->isVisible());
   filter->setFocus();
   QTest::keyClicks(filter, "hall");
-  auto* list = window_->findChild<ProbeList*>()->list();
-  int shown = 0;
-  for (int row = 0; row < list->count(); ++row) shown += list->isRowHidden(row) ? 0 : 1;
-  EXPECT_EQ(shown, 3);
+  EXPECT_EQ(window_->findChild<Outliner*>()->model().probesShown().size(), 3u);
   if (const char* out = std::getenv("BOXPROBE_TEST_OUTPUT")) {
     waitUntilIdle();
     window_->grab().save(QString(out) + "/filter.png");
   }
   filter->clear();
   document().undo();
-  EXPECT_FALSE(filter->isVisible());
 }
 
 // Whoever closes it would edit what the work is about to replace.

@@ -70,7 +70,7 @@ void WindowTest::SetUp() {
   window_ = sharedWindow().get();
   window_->pictureWork().setRest(kNeverMilliseconds);
   window_->refinement().setRest(kNeverMilliseconds);
-  window_->resize(1200, 700);
+  window_->resize(1440, 700);
   window_->showScene(scene());
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_, 60000));

@@ -49,13 +49,14 @@ std::optional<glm::dvec3> nudgeDirection(int key, const ViewProjection& view) {
 
 }  // namespace
 
-ProbeWidget::ProbeWidget(Editor& editor, vtkReflectionProbeRepresentation& shown, SceneSurfaces& surfaces,
-                         std::function<ViewProjection()> view, QObject* parent)
-    : QObject(parent), editor_(editor), shown_(shown), surfaces_(surfaces), view_(std::move(view)) {
+ProbeWidget::ProbeWidget(Editor& editor, const ViewState& state, vtkReflectionProbeRepresentation& shown,
+                         SceneSurfaces& surfaces, std::function<ViewProjection()> view, QObject* parent)
+    : QObject(parent), editor_(editor), state_(state), shown_(shown), surfaces_(surfaces), view_(std::move(view)) {
   shown_.SetReadoutVisibility(false);  // the viewport has a label for it
   shown_.SetLengthUnit("m");
   shown_.SetReadoutWords([](const char* text) { return handleWords(text).toStdString(); });
   shown_.SetSurfaces([this] { return surfaces_.rays(); });
+  connect(&state_, &ViewState::changed, this, &ProbeWidget::update);
 }
 
 bool ProbeWidget::dragging() const {
@@ -74,6 +75,7 @@ bool ProbeWidget::press(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   hover(pixel);
   const auto hovered = shown_.GetHovered();
   if (!hovered) return false;
+  emit taken();
   if (editor_.document().selectedProbe() != hovered->probe) {
     if (modifiers.testFlag(Qt::ControlModifier)) {
       editor_.toggleProbe(hovered->probe);
@@ -251,7 +253,14 @@ void ProbeWidget::updateDrop() {
 }
 
 void ProbeWidget::show() {
-  shown_.ShowProbes(editor_.scene().probes, editor_.document().selectedProbe(), editor_.selected());
+  const auto& probes = editor_.scene().probes;
+  std::vector<bool> hidden, locked;
+  for (const Probe& probe : probes) {
+    hidden.push_back(!state_.shown(ViewState::Part::Probe, probe.name));
+    locked.push_back(state_.locked(ViewState::Part::Probe, probe.name));
+  }
+  shown_.LeaveOut(std::move(hidden), std::move(locked));
+  shown_.ShowProbes(probes, editor_.document().selectedProbe(), editor_.selected());
 }
 
 void ProbeWidget::update() {

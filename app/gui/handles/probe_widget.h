@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/gui/edit/editor.h"
+#include "app/gui/edit/view_state.h"
 #include "app/gui/handles/scene_surfaces.h"
 #include "filters/vtk/widgets/handle_drag.h"
 #include "filters/vtk/widgets/handle_picking.h"
@@ -22,7 +23,7 @@ class ProbeWidget : public QObject {
 
  public:
   /// `view` answers with the view as it is now.
-  ProbeWidget(Editor& editor, vtkReflectionProbeRepresentation& shown, SceneSurfaces& surfaces,
+  ProbeWidget(Editor& editor, const ViewState& state, vtkReflectionProbeRepresentation& shown, SceneSurfaces& surfaces,
               std::function<ViewProjection()> view, QObject* parent = nullptr);
 
   /// True if the pointer took hold of a handle; the camera must then stay where it is. On the diamond of another probe
@@ -56,6 +57,7 @@ class ProbeWidget : public QObject {
  signals:
   void pictureChanged();
   void modeChanged(boxprobe::HandleMode mode);
+  void taken();  ///< a press found a handle
   void cursorWanted(Qt::CursorShape shape);
   void hint(const QString& text);                             ///< what the handle under the pointer does; may be empty
   void readout(const QString& text, const QPointF& atPixel);  ///< numbers of the drag under way; empty: none
@@ -70,6 +72,7 @@ class ProbeWidget : public QObject {
   void forget();
 
   Editor& editor_;
+  const ViewState& state_;
   vtkReflectionProbeRepresentation& shown_;
   SceneSurfaces& surfaces_;
   std::function<ViewProjection()> view_;

@@ -1,6 +1,8 @@
 // See scene_surfaces.h.
 #include "app/gui/handles/scene_surfaces.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -8,6 +10,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/model_placement.h"
+#include "filters/core/geometry/probe_geometry.h"
 
 namespace boxprobe {
 
@@ -55,14 +58,21 @@ const SurfaceRays* SceneSurfaces::rays() {
 
 // One ray against every triangle: a click is rare, and takes some ten milliseconds at a million of them.
 std::optional<PickedObject> SceneSurfaces::objectAt(const Ray& ray) const {
+  const auto hit = firstOf(behindCut(ray), false);
+  return hit ? std::optional<PickedObject>(hit->object) : std::nullopt;
+}
+
+std::optional<SceneSurfaces::Hit> SceneSurfaces::firstOf(const Ray& ray, bool lockedToo) const {
   const Scene& scene = document_.scene();
-  std::optional<PickedObject> picked;
+  std::optional<Hit> picked;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < models_.size() && i < scene.models.size(); ++i) {
     const Model& model = *models_[i];
     for (const Instance& instance : model.instances) {
       const auto object = scene.objects.find(instance.node);
       if (object != scene.objects.end() && !object->second.visible) continue;
+      if (passed_.hidden.count(instance.node) > 0) continue;
+      if (!lockedToo && passed_.locked.count(instance.node) > 0) continue;
       const glm::dmat4 place =
           movedInstance(worldFromFile(scene.models[i]) * instance.worldFromModel, scene, instance.node);
       const glm::dmat4 back = glm::inverse(place);
@@ -74,15 +84,42 @@ std::optional<PickedObject> SceneSurfaces::objectAt(const Ray& ray) const {
         if (!t || *t >= nearest) continue;
         nearest = *t;
         const bool own = mesh.material >= 0;
-        picked = PickedObject{instance.node,
-                              own ? model.materials[static_cast<std::size_t>(mesh.material)].name : std::string()};
+        picked = Hit{
+            *t, {instance.node, own ? model.materials[static_cast<std::size_t>(mesh.material)].name : std::string()}};
       }
     }
   }
   return picked;
 }
 
-std::optional<glm::dvec3> SceneSurfaces::meet(const Ray& ray) {
+// As the picture is cut: from where the ray enters the box, if it starts before it.
+Ray SceneSurfaces::behindCut(const Ray& ray) const {
+  if (!passed_.cutaway) return ray;
+  const CutBox& cut = *passed_.cutaway;
+  const glm::dmat3 boxFromWorld = glm::transpose(rotationMatrix(cut.rotationDegrees));
+  const glm::dvec3 from = boxFromWorld * (ray.origin - cut.box.center()), along = boxFromWorld * ray.direction;
+  const glm::dvec3 half = 0.5 * cut.box.size();
+  double enters = -std::numeric_limits<double>::infinity(), leaves = -enters;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (along[axis] == 0.0) {
+      if (std::abs(from[axis]) > half[axis]) return ray;
+      continue;
+    }
+    const double a = (-half[axis] - from[axis]) / along[axis], b = (half[axis] - from[axis]) / along[axis];
+    enters = std::max(enters, std::min(a, b));
+    leaves = std::min(leaves, std::max(a, b));
+  }
+  if (enters <= 0.0 || enters > leaves) return ray;
+  constexpr double kWall = 1.01;  // a fitted box lies on its walls
+  return {ray.origin + kWall * enters * ray.direction, ray.direction};
+}
+
+std::optional<glm::dvec3> SceneSurfaces::meet(const Ray& given) {
+  const Ray ray = behindCut(given);
+  if (!passed_.hidden.empty()) {
+    const auto hit = firstOf(ray, true);
+    return hit ? std::optional<glm::dvec3>(ray.origin + hit->distance * ray.direction) : std::nullopt;
+  }
   const SurfaceRays* surfaces = rays();
   const auto hit = surfaces != nullptr ? surfaces->first(ray.origin, ray.direction) : std::nullopt;
   if (!hit) return std::nullopt;

@@ -5,10 +5,13 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "filters/core/scene/document.h"
 #include "filters/fit/rays/triangle_rays.h"
+#include "filters/vtk/draw/window_view.h"
 #include "filters/vtk/widgets/view_projection.h"
 
 namespace boxprobe {
@@ -19,6 +22,12 @@ struct PickedObject {
   std::string material;  ///< empty: the default material
 };
 
+/// What rays of the pointer pass: see WindowView. Locked objects are seen, and not picked.
+struct PassedParts {
+  std::set<std::string> hidden, locked;
+  std::optional<CutBox> cutaway;
+};
+
 class SceneSurfaces {
  public:
   explicit SceneSurfaces(const Document& document) : document_(document) {}
@@ -27,12 +36,21 @@ class SceneSurfaces {
   void documentChanged(const Changes& changes);
   /// Null where there is nothing to meet.
   const SurfaceRays* rays();
-  /// World; nothing where the ray goes into the sky.
+  void setView(PassedParts passed) { passed_ = std::move(passed); }
+  /// World; nothing where the ray goes into the sky. Of what the window shows.
   std::optional<glm::dvec3> meet(const Ray& ray);
-  /// Of the first visible surface, glass included; nothing where the ray goes into the sky.
+  /// Of the first visible surface that is not locked, glass included; nothing where the ray goes into the sky.
   std::optional<PickedObject> objectAt(const Ray& ray) const;
 
  private:
+  struct Hit {
+    double distance = 0.0;  ///< in lengths of the direction
+    PickedObject object;
+  };
+  std::optional<Hit> firstOf(const Ray& ray, bool lockedToo) const;
+  Ray behindCut(const Ray& ray) const;
+
+  PassedParts passed_;
   const Document& document_;
   TriangleRays::Models models_;
   std::unique_ptr<TriangleRays> rays_;

@@ -245,6 +245,11 @@ std::optional<std::size_t> LightPanel::index() const {
   return row < 0 ? 0 : std::min(static_cast<std::size_t>(row), count - 1);
 }
 
+void LightPanel::choose(std::size_t index) {
+  if (index < editor_.scene().lights.size()) lights_->setCurrentIndex(static_cast<int>(index));
+  update();
+}
+
 const Light* LightPanel::light() const {
   const auto at = index();
   return at ? &editor_.scene().lights[*at] : nullptr;

@@ -34,6 +34,8 @@ class LightPanel : public QWidget {
 
   /// The document changed.
   void update();
+  /// The fields show the light of that index.
+  void choose(std::size_t index);
 
  private:
   using LightEdit = std::function<void(Light&)>;

@@ -9,9 +9,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/gui/handles/scene_surfaces.h"
 #include "app/gui/view/camera_moves.h"
+#include "app/gui/view/framing.h"
 #include "app/gui/view/viewport.h"
-#include "filters/core/geometry/probe_geometry.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -22,40 +23,51 @@ bool cameraNamed(const Scene& scene, const std::string& name) {
   return std::any_of(scene.cameras.begin(), scene.cameras.end(), [&](const Camera& c) { return c.name == name; });
 }
 
-/// Axis-aligned bounds of a turned box.
-Box boundsOf(const Probe& probe) {
-  const auto corners = boxCornersWorld(probe.box, rotationMatrix(probe.rotationDegrees), probe.box.center());
-  Box bounds{corners[0], corners[0]};
-  for (const glm::dvec3& corner : corners) {
-    bounds.min = glm::min(bounds.min, corner);
-    bounds.max = glm::max(bounds.max, corner);
-  }
-  return bounds;
-}
-
 }  // namespace
 
-ViewCommands::ViewCommands(Editor& editor, SceneRenderer& renderer, Viewport& viewport, QObject* parent)
-    : QObject(parent), editor_(editor), renderer_(renderer), viewport_(viewport) {}
+ViewCommands::ViewCommands(Editor& editor, const ViewState& state, SceneRenderer& renderer, Viewport& viewport,
+                           SceneSurfaces& surfaces, QObject* parent)
+    : QObject(parent), editor_(editor), state_(state), renderer_(renderer), viewport_(viewport), surfaces_(surfaces) {}
 
 double ViewCommands::aspect() const {
   return viewport_.height() > 0 ? static_cast<double>(viewport_.width()) / viewport_.height() : 1.0;
 }
 
 Box ViewCommands::selectedBounds() const {
+  std::optional<Box> objects;
+  for (const std::string& node : state_.objects()) {
+    const auto one = renderer_.objectBounds(node);
+    if (!one) continue;
+    objects = objects ? Box{glm::min(objects->min, one->min), glm::max(objects->max, one->max)} : *one;
+  }
+  if (objects) return *objects;
   const std::vector<std::size_t> selected = editor_.selected();
   if (selected.empty()) return renderer_.bounds();
   const auto& probes = editor_.scene().probes;
-  Box bounds = boundsOf(probes[selected.front()]);
+  Box bounds = worldBoundsOf(probes[selected.front()]);
   for (const std::size_t index : selected) {
-    const Box one = boundsOf(probes[index]);
+    const Box one = worldBoundsOf(probes[index]);
     bounds = {glm::min(bounds.min, one.min), glm::max(bounds.max, one.max)};
   }
   return bounds;
 }
 
 void ViewCommands::frameSelection() {
-  frameBox(renderer_.renderer()->GetActiveCamera(), selectedBounds(), aspect());
+  vtkCamera* camera = renderer_.renderer()->GetActiveCamera();
+  const Box bounds = selectedBounds();
+  const bool any = !state_.objects().empty() || !editor_.selected().empty();
+  const MeetSurface meet = [this](const Ray& ray) { return surfaces_.meet(ray); };
+  const bool indoors = any && isIndoors(eyeOf(camera), meet) && isIndoors(bounds.center(), meet);
+  frameBox(camera, bounds, aspect());
+  if (any && camera->GetParallelProjection() == 0 && !state_.cutaway()) {
+    const auto clear = clearDistance(camera, bounds, meet);
+    if (clear && indoors) {
+      const glm::dvec3 eye = bounds.center() - *clear * forwardOf(camera);
+      camera->SetPosition(eye.x, eye.y, eye.z);
+    } else if (clear) {
+      emit message(tr("Something stands before it; Alt+B cuts it away"));
+    }
+  }
   emit cameraMoved();
 }
 

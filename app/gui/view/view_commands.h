@@ -8,20 +8,24 @@
 #include <optional>
 
 #include "app/gui/edit/editor.h"
+#include "app/gui/edit/view_state.h"
 #include "filters/core/geometry/probe_frame.h"
 
 namespace boxprobe {
 
 class SceneRenderer;
+class SceneSurfaces;
 class Viewport;
 
 class ViewCommands : public QObject {
   Q_OBJECT
 
  public:
-  ViewCommands(Editor& editor, SceneRenderer& renderer, Viewport& viewport, QObject* parent);
+  ViewCommands(Editor& editor, const ViewState& state, SceneRenderer& renderer, Viewport& viewport,
+               SceneSurfaces& surfaces, QObject* parent);
 
-  /// The selected probes' boxes, or all that is visible where no probe is selected.
+  /// The selected objects, else the selected probes' boxes, or all that is visible where nothing is selected. Where
+  /// camera and selection are indoors, the camera stays in front of the walls.
   void frameSelection();
   void lookAlong(const BoxFace& face);
   /// From its capture origin, the way the camera looks now.
@@ -45,6 +49,7 @@ class ViewCommands : public QObject {
   void cameraMoved();
   /// There is a view to come back to, or no more.
   void canComeBack(bool can);
+  void message(const QString& text);
 
  private:
   Camera current(const std::string& name) const;
@@ -52,8 +57,10 @@ class ViewCommands : public QObject {
   Box selectedBounds() const;
 
   Editor& editor_;
+  const ViewState& state_;
   SceneRenderer& renderer_;
   Viewport& viewport_;
+  SceneSurfaces& surfaces_;
   std::optional<Camera> before_;  ///< a spot was looked at
 };
 

@@ -15,11 +15,20 @@ constexpr const char* kFolded = "foldedSections";
 constexpr const char* kTheme = "theme";
 constexpr const char* kCheaperWhileMoving = "cheaperWhileMoving";
 constexpr const char* kRefinesAtRest = "refinesAtRest";
+constexpr const char* kCutaway = "cutaway";
 
 }  // namespace
 
 std::unique_ptr<QSettings> preferences() {
   return openSettings("preferences.ini");
+}
+
+bool cutsAway() {
+  return preferences()->value(kCutaway, false).toBool();
+}
+
+void keepCutaway(bool on) {
+  preferences()->setValue(kCutaway, on);
 }
 
 bool refinesAtRest() {

@@ -20,6 +20,10 @@ void keepCheaperWhileMoving(bool on);
 bool refinesAtRest();
 void keepRefinesAtRest(bool on);
 
+/// What stands before the selected probe's box is cut away; off until the user has chosen.
+bool cutsAway();
+void keepCutaway(bool on);
+
 /// The look of the window, as Theme counts; nothing until the user has chosen.
 std::optional<int> chosenTheme();
 void keepTheme(int theme);

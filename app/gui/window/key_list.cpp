@@ -36,6 +36,8 @@ QString keyTable() {
        QT_TRANSLATE_NOOP("Keys", "fly, Shift faster; walk at eye height on and off")},
       {QT_TRANSLATE_NOOP("Keys", "F, P, Home"),
        QT_TRANSLATE_NOOP("Keys", "frame the selection; look from the probe; first camera")},
+      {QT_TRANSLATE_NOOP("Keys", "H, Alt+H, /, Alt+B"),
+       QT_TRANSLATE_NOOP("Keys", "hide the selection; show all; the selection alone; cut away what stands before it")},
       {QT_TRANSLATE_NOOP("Keys", "Alt+X, Y, Z; with Shift"),
        QT_TRANSLATE_NOOP("Keys", "look along an axis; from its other side")},
       {QT_TRANSLATE_NOOP("Keys", "Ctrl+1 ... 9, Ctrl+K"),
@@ -59,7 +61,7 @@ QString keyTable() {
        QT_TRANSLATE_NOOP("Keys", "explain the pixel under the pointer; a click pins it")},
       {QT_TRANSLATE_NOOP("Keys", "Esc"),
        QT_TRANSLATE_NOOP("Keys", "cancels the drag, ends the comparison or stops capturing")},
-      {QT_TRANSLATE_NOOP("Keys", "H, F1, F11"), QT_TRANSLATE_NOOP("Keys", "these keys; the lessons; projector mode")},
+      {QT_TRANSLATE_NOOP("Keys", "?, F1, F11"), QT_TRANSLATE_NOOP("Keys", "these keys; the lessons; projector mode")},
   };
   QString table = "<table>";
   for (const auto& [what, does] : kRows) {

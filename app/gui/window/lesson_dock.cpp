@@ -1,6 +1,7 @@
 // See lesson_dock.h.
 #include "app/gui/window/lesson_dock.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
@@ -23,13 +24,23 @@ LessonDock::LessonDock(LessonView& lessons, QMainWindow* window)
   dock_->setWidget(lessons.panel());
   dock_->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
   window->addDockWidget(Qt::LeftDockWidgetArea, dock_);
-  window->resizeDocks({dock_}, {kLessonWidth}, Qt::Horizontal);
+  // In the outliner's place while a lesson is open: beside both, little would be left of the picture.
+  auto* outliner = window->findChild<QDockWidget*>("outliner");
+  if (outliner != nullptr) window->tabifyDockWidget(outliner, dock_);
   dock_->hide();
   dock_->installEventFilter(this);
-  connect(&lessons, &LessonView::shown, this, [this] {
+  connect(&lessons, &LessonView::shown, this, [this, window, outliner] {
     if (dock_->isHidden()) makeRoom();
+    const bool opens = !dock_->isVisible();
+    if (opens && outliner != nullptr) outlinerWidth_ = outliner->width();
     dock_->show();
     dock_->raise();
+    if (opens) window->resizeDocks({dock_}, {kLessonWidth}, Qt::Horizontal);
+  });
+  connect(dock_->toggleViewAction(), &QAction::toggled, this, [this, window, outliner](bool shown) {
+    if (!shown && outliner != nullptr && outlinerWidth_ > 0 && !projector_->on()) {
+      window->resizeDocks({outliner}, {outlinerWidth_}, Qt::Horizontal);
+    }
   });
   connect(&lessons, &LessonView::openChanged, projector_, &Projector::setLessonOpen);
 }

@@ -32,6 +32,7 @@ class LessonDock : public QObject {
   QMainWindow* window_;
   QDockWidget* dock_;
   Projector* projector_;
+  int outlinerWidth_ = 0;  ///< before a lesson took its place
 };
 
 }  // namespace boxprobe

@@ -18,7 +18,7 @@
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/fit_panel.h"
 #include "app/gui/panels/place_panel.h"
-#include "app/gui/panels/probe_list.h"
+#include "app/gui/panels/probe_commands.h"
 #include "app/gui/view/animation_tools.h"
 #include "app/gui/view/motion_preview.h"
 #include "app/gui/view/picture_export.h"
@@ -64,12 +64,13 @@ static std::unique_ptr<SceneRenderer> tracingRenderer(vtkOpenGLRenderWindow* win
 MainWindow::MainWindow()
     : views_(document_),
       editor_(std::make_unique<Editor>(document_)),
+      state_(std::make_unique<ViewState>()),
       viewport_(new Viewport(this)),
       renderer_(tracingRenderer(viewport_->window3d())),
       shownHandles_(vtkSmartPointer<vtkReflectionProbeRepresentation>::New()),
       surfaces_(std::make_unique<SceneSurfaces>(document_)),
       probeWidget_(new ProbeWidget(
-          *editor_, *shownHandles_, *surfaces_, [this] { return viewport_->view(); }, this)),
+          *editor_, *state_, *shownHandles_, *surfaces_, [this] { return viewport_->view(); }, this)),
       work_(new PictureWork(
           document_, *renderer_, *viewport_,
           [this] {
@@ -142,7 +143,7 @@ MainWindow::MainWindow()
                                      },
                                      [this] { return probeWidget_->dragging(); }},
                                     this)),
-      panels_(new PanelDocks(this, {*editor_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
+      panels_(new PanelDocks(this, {*editor_, *state_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); },
                        [this](const Ray& ray) { return surfaces_->meet(ray); }, [this] { return renderer_->bounds(); });
   shownHandles_->SetRenderer(renderer_->renderer());
@@ -162,8 +163,8 @@ MainWindow::MainWindow()
   connectDebugView();
   connectLessons();
   connectFitter();
-  tools_ = new ViewTools({document_, *editor_, *renderer_, *viewport_, *shownHandles_, *probeWidget_, *surfaces_,
-                          *menu_, *panels_, *debugView_, *status_, scheduler(), [this] { return models_; }},
+  tools_ = new ViewTools({document_, *editor_, *state_, *renderer_, *viewport_, *shownHandles_, *probeWidget_,
+                          *surfaces_, *menu_, *panels_, *debugView_, *status_, scheduler(), [this] { return models_; }},
                          this);
   tools_->subscribe(views_);
   connect(tools_, &ViewTools::automaticExposureWanted, fitter_, &ModelFitter::exposeAgain);
@@ -261,9 +262,9 @@ void MainWindow::connectEditing() {
   connect(menu_, &MenuBar::undoRequested, editor_.get(), &Editor::undo);
   connect(menu_, &MenuBar::redoRequested, editor_.get(), &Editor::redo);
   connect(menu_, &MenuBar::historyChosen, editor_.get(), [this](int position) { editor_->goTo(position); });
-  connect(menu_, &MenuBar::addRequested, &panels_->probeList(), &ProbeList::addProbe);
-  connect(menu_, &MenuBar::duplicateRequested, &panels_->probeList(), &ProbeList::duplicateProbe);
-  connect(menu_, &MenuBar::deleteRequested, &panels_->probeList(), &ProbeList::deleteProbe);
+  connect(menu_, &MenuBar::addRequested, &panels_->probeCommands(), &ProbeCommands::addProbe);
+  connect(menu_, &MenuBar::duplicateRequested, &panels_->probeCommands(), &ProbeCommands::duplicateProbe);
+  connect(menu_, &MenuBar::deleteRequested, &panels_->probeCommands(), &ProbeCommands::deleteProbe);
   connect(menu_, &MenuBar::escapePressed, this, &MainWindow::escape);
   connect(menu_, &MenuBar::handleModeChosen, probeWidget_, &ProbeWidget::setMode);
   connect(probeWidget_, &ProbeWidget::modeChanged, menu_, &MenuBar::showHandleMode);
@@ -427,6 +428,9 @@ void MainWindow::showScene(LoadedScene loaded) {
 void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path) {
   animation_->forget();
   probeWidget_->cancel();
+  // Names of another scene mean others; those of one that is read again are the same.
+  if (path != shownPath_) state_->forget();
+  shownPath_ = path;
   panels_->setModels(models);
   takePose(models);
   panels_->bakePanel().sceneOpened(path);

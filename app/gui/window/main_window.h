@@ -12,6 +12,7 @@
 
 #include "app/gui/edit/change_views.h"
 #include "app/gui/edit/editor.h"
+#include "app/gui/edit/view_state.h"
 #include "app/session/load_scene.h"
 #include "filters/core/scene/document.h"
 
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
 
   Document& document() { return document_; }
   Editor& editor() { return *editor_; }
+  ViewState& viewState() { return *state_; }
   Viewport& viewport() { return *viewport_; }
   ProbeWidget& probeWidget() { return *probeWidget_; }
   RenderScheduler& scheduler();
@@ -117,6 +119,7 @@ class MainWindow : public QMainWindow {
   Document document_;
   ChangeViews views_;
   std::unique_ptr<Editor> editor_;
+  std::unique_ptr<ViewState> state_;
   Viewport* viewport_;
   std::unique_ptr<SceneRenderer> renderer_;
   vtkSmartPointer<vtkReflectionProbeRepresentation> shownHandles_;
@@ -138,6 +141,7 @@ class MainWindow : public QMainWindow {
   ViewTools* tools_ = nullptr;
   LessonDock* lessonDock_;
   std::vector<std::shared_ptr<const Model>> models_;
+  std::string shownPath_;  ///< of the scene on show
 };
 
 }  // namespace boxprobe

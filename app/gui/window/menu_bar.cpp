@@ -69,6 +69,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   variants_->setEnabled(false);
   add(view_, tr("&Reset view"), QKeySequence("Home"), &MenuBar::resetViewRequested);
   buildLook();
+  buildShown();
   buildCompare();
   buildExposure();
   view_->addSeparator();
@@ -103,9 +104,9 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   counters->setObjectName("countersShown");
   counters->setChecked(false);
 
-  QMenu* help = window->menuBar()->addMenu(tr("&Help"));
+  QMenu* help = window->menuBar()->addMenu(tr("Hel&p"));
   view_->addAction(add(help, tr("&Lessons..."), QKeySequence("F1"), &MenuBar::lessonsRequested));
-  keys_ = addToggle(help, tr("&Keys over the picture"), QKeySequence("H"), &MenuBar::keysSwitched);
+  keys_ = addToggle(help, tr("&Keys over the picture"), QKeySequence("?"), &MenuBar::keysSwitched);
   keys_->setChecked(false);
   add(help, tr("&Mouse and keys, about"), QKeySequence("Shift+F1"), &MenuBar::aboutRequested);
 }
@@ -123,6 +124,20 @@ void MenuBar::buildLook() {
   QAction* walk = addToggle(view_, tr("&Walk at eye height"), QKeySequence("G"), &MenuBar::walkSwitched);
   walk->setObjectName("walk");
   walk->setChecked(false);
+}
+
+// Of the window alone: no scene file and no capture knows of it.
+void MenuBar::buildShown() {
+  add(view_, tr("&Hide the selection"), QKeySequence("H"), &MenuBar::hideRequested)
+      ->setToolTip(tr("In this window alone; the scene's file, captures and exported pictures have it"));
+  add(view_, tr("Show a&ll that is hidden"), QKeySequence("Alt+H"), &MenuBar::showAllRequested);
+  add(view_, tr("The &selection alone"), QKeySequence("/"), &MenuBar::isolateRequested)
+      ->setToolTip(tr("Of a probe: with the objects that reach into its box. Once more shows the others again"));
+  cutaway_ = addToggle(view_, tr("Cu&t away what stands before the probe's box"), QKeySequence("Alt+B"),
+                       &MenuBar::cutawaySwitched);
+  cutaway_->setObjectName("cutaway");
+  cutaway_->setToolTip(tr("Looks into a room from outside. Exported pictures, errors and captures are not cut"));
+  cutaway_->setChecked(false);
 }
 
 void MenuBar::buildCompare() {
@@ -344,6 +359,10 @@ bool MenuBar::reflectionsAreShown() const {
 
 void MenuBar::showProjector(bool on) {
   projector_->setChecked(on);
+}
+
+void MenuBar::showCutaway(bool on) {
+  cutaway_->setChecked(on);
 }
 
 void MenuBar::addSurfaceViews(const QStringList& names) {

@@ -40,6 +40,7 @@ class MenuBar : public QObject {
   bool boxesAreShown() const;
   bool reflectionsAreShown() const;
   void showProjector(bool on);
+  void showCutaway(bool on);
   /// What the surfaces can be coloured by, the picture itself first.
   void addSurfaceViews(const QStringList& names);
   void showSurfaceView(int view);
@@ -98,6 +99,10 @@ class MenuBar : public QObject {
   void renameCameraRequested(int index);
   void deleteCameraRequested(int index);
   void frameRequested();
+  void hideRequested();
+  void showAllRequested();
+  void isolateRequested();
+  void cutawaySwitched(bool on);
   void lookFromProbeRequested();
   void lookAlongChosen(const boxprobe::BoxFace& face);
   void walkSwitched(bool on);
@@ -133,6 +138,7 @@ class MenuBar : public QObject {
 
   void buildHandles(QMenu* edit);
   void buildLook();
+  void buildShown();
   void buildCompare();
   void buildThemes();
   void buildExposure();
@@ -157,7 +163,7 @@ class MenuBar : public QObject {
   std::vector<std::string> cameraNames_;
   QAction *undo_, *redo_, *duplicate_, *delete_, *copy_, *fit_, *frame_, *lookFrom_, *keys_, *flip_, *difference_,
       *endCompare_, *views_, *bake_, *export_, *explain_, *motionPreview_, *refinement_, *boxes_, *reflections_,
-      *projector_, *liveLink_;
+      *projector_, *liveLink_, *cutaway_;
 };
 
 }  // namespace boxprobe

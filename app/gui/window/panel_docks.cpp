@@ -25,9 +25,10 @@
 #include "app/gui/panels/light_panel.h"
 #include "app/gui/panels/material_panel.h"
 #include "app/gui/panels/object_panel.h"
+#include "app/gui/panels/outliner.h"
 #include "app/gui/panels/picture_panel.h"
 #include "app/gui/panels/place_panel.h"
-#include "app/gui/panels/probe_list.h"
+#include "app/gui/panels/probe_commands.h"
 #include "app/gui/panels/probe_panel.h"
 #include "app/gui/panels/probe_preview.h"
 #include "app/gui/view/render_scheduler.h"
@@ -69,6 +70,7 @@ QWidget* column(std::initializer_list<QWidget*> panels) {
 PanelDocks::PanelDocks(QMainWindow* window, const Parts& parts) : QObject(window), window_(window), parts_(parts) {
   // Six names do not fit side by side.
   window_->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
+  buildOutliner();
   buildProbes();
   buildPreview();
   buildDebug();
@@ -92,14 +94,29 @@ QDockWidget* PanelDocks::add(const QString& title, const char* name, QWidget* co
   return dock;
 }
 
+void PanelDocks::buildOutliner() {
+  Editor& editor = parts_.editor;
+  SceneRenderer& renderer = parts_.renderer;
+  commands_ = new ProbeCommands(editor,
+                                {[&renderer] {
+                                   const double* target = renderer.renderer()->GetActiveCamera()->GetFocalPoint();
+                                   return glm::dvec3(target[0], target[1], target[2]);
+                                 },
+                                 [&renderer] { return renderer.bounds(); }},
+                                this);
+  outliner_ = new Outliner(editor, parts_.state, *commands_);
+  outliner_->setProbeActions(parts_.menu.probeActions());
+  auto* dock = new QDockWidget(tr("Outliner"), window_);
+  dock->setObjectName("outliner");
+  dock->setWidget(outliner_);
+  dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+  window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
+  parts_.menu.addDockToggle(dock->toggleViewAction());
+}
+
 void PanelDocks::buildProbes() {
   Editor& editor = parts_.editor;
   SceneRenderer& renderer = parts_.renderer;
-  probeList_ = new ProbeList(editor, {[&renderer] {
-                                        const double* target = renderer.renderer()->GetActiveCamera()->GetFocalPoint();
-                                        return glm::dvec3(target[0], target[1], target[2]);
-                                      },
-                                      [&renderer] { return renderer.bounds(); }});
   bakePanel_ = new BakePanel(editor, renderer, parts_.scheduler);
   fitPanel_ = new FitPanel(editor);
   placePanel_ = new PlacePanel(editor);
@@ -109,9 +126,8 @@ void PanelDocks::buildProbes() {
   objectPanel_ = new ObjectPanel(editor);
   lightPanel_ = new LightPanel(editor, [&renderer] { return renderer.currentCamera(); });
   picturePanel_ = new PicturePanel(editor);
-  QScrollArea* panels = column_ =
-      scrolled(column({probeList_, bakePanel_, fitPanel_, placePanel_, probePanel_, capturePanel_, materialPanel_,
-                       objectPanel_, lightPanel_, picturePanel_}));
+  QScrollArea* panels = column_ = scrolled(column({bakePanel_, fitPanel_, placePanel_, probePanel_, capturePanel_,
+                                                   materialPanel_, objectPanel_, lightPanel_, picturePanel_}));
   // What the widest panel asks for beside the scroll bar: a column that is cut off at its right edge cannot be
   // scrolled.
   const int asked = panels->widget()->minimumSizeHint().width() + panels->verticalScrollBar()->sizeHint().width();
@@ -119,10 +135,10 @@ void PanelDocks::buildProbes() {
   add(tr("Probes"), "probes", withSearch(panels, tr("Find a setting")))
       ->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
   connect(&editor, &Editor::selectionChanged, this, &PanelDocks::showSelection);
-  connect(bakePanel_, &BakePanel::statesChanged, probeList_, &ProbeList::showStates);
+  connect(bakePanel_, &BakePanel::statesChanged, outliner_, &Outliner::showStates);
   connect(bakePanel_, &BakePanel::message, this, &PanelDocks::message);
   connect(bakePanel_, &BakePanel::failed, this, &PanelDocks::failed);
-  connect(probeList_, &ProbeList::added, fitPanel_, [this] {
+  connect(commands_, &ProbeCommands::added, fitPanel_, [this] {
     if (!fitPanel_->running()) fitPanel_->fit();
   });
   connect(fitPanel_, &FitPanel::ghostChanged, this, [this](const std::optional<Probe>& ghost) {
@@ -140,7 +156,7 @@ void PanelDocks::buildProbes() {
 }
 
 void PanelDocks::showSelection() {
-  probeList_->update();
+  outliner_->update();
   probePanel_->update();
   capturePanel_->update();
   bakePanel_->update();
@@ -237,10 +253,10 @@ void PanelDocks::buildFrame() {
 
 void PanelDocks::subscribe(ChangeViews& views) {
   using C = Changes;
-  views.add("probe list", {&C::probeList, &C::selection}, [this](const C&) {
-    probeList_->update();
-    parts_.menu.showSelected(parts_.editor.selected().size());
-  });
+  views.add("outliner", {&C::probeList, &C::selection, &C::materials, &C::lights, &C::cameras, &C::models},
+            [this](const C&) { outliner_->update(); });
+  views.add("probe commands", {&C::probeList, &C::selection},
+            [this](const C&) { parts_.menu.showSelected(parts_.editor.selected().size()); });
   views.add("fit panel", selectedProbeKinds(), [this](const C&) { fitPanel_->update(); });
   views.add("live error",
             {&C::probeShape, &C::probeCapture, &C::probeList, &C::selection, &C::materials, &C::objects, &C::models,
@@ -269,6 +285,7 @@ void PanelDocks::subscribe(ChangeViews& views) {
 }
 
 void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
+  outliner_->setModels(models);
   capturePanel_->setModels(models);
   fitPanel_->setModels(models);
   placePanel_->setModels(models);
@@ -278,8 +295,12 @@ void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& mode
 }
 
 void PanelDocks::show(const QString& node, const QString& material) {
-  const bool chosen = materialPanel_->choose(material.toStdString());
-  if (!objectPanel_->choose(node.toStdString()) && !chosen) return;
+  materialPanel_->choose(material.toStdString());
+  objectPanel_->choose(node.toStdString());
+}
+
+void PanelDocks::reveal(const QString& node, const QString& material) {
+  show(node, material);
   first_->raise();
   column_->ensureWidgetVisible(objectPanel_);
   column_->ensureWidgetVisible(materialPanel_);

@@ -1,5 +1,5 @@
-// The docks at the window's right: makes the panels of the scene, lays them out, and says which kinds of change each of
-// them shows. Called by the main window; what the panels do is theirs.
+// The docks of the window, the outliner at its left and the panels at its right: makes the panels of the scene, lays
+// them out, and says which kinds of change each of them shows. Called by the main window; what the panels do is theirs.
 #pragma once
 
 #include <QObject>
@@ -30,13 +30,15 @@ class LightPanel;
 class MaterialPanel;
 class MenuBar;
 class ObjectPanel;
+class Outliner;
 class PicturePanel;
 class PlacePanel;
-class ProbeList;
+class ProbeCommands;
 class ProbePanel;
 class ProbePreview;
 class RenderScheduler;
 class SceneRenderer;
+class ViewState;
 class Viewport;
 
 class PanelDocks : public QObject {
@@ -45,6 +47,7 @@ class PanelDocks : public QObject {
  public:
   struct Parts {
     Editor& editor;
+    ViewState& state;
     SceneRenderer& renderer;
     Viewport& viewport;
     RenderScheduler& scheduler;
@@ -58,12 +61,16 @@ class PanelDocks : public QObject {
   void subscribe(ChangeViews& views);
   /// Other geometry, in the order of scene.models.
   void setModels(const std::vector<std::shared_ptr<const Model>>& models);
-  /// Their fields show the object and the material of these names.
+  /// Their fields show the object and the material of these names; nothing is raised or scrolled.
   void show(const QString& node, const QString& material);
+  /// The same, and they are brought into view.
+  void reveal(const QString& node, const QString& material);
   /// Nothing is read from the graphics side any more.
   void stopReading();
 
-  ProbeList& probeList() { return *probeList_; }
+  Outliner& outliner() { return *outliner_; }
+  ProbeCommands& probeCommands() { return *commands_; }
+  LightPanel& lightPanel() { return *lightPanel_; }
   BakePanel& bakePanel() { return *bakePanel_; }
   FitPanel& fitPanel() { return *fitPanel_; }
   PlacePanel& placePanel() { return *placePanel_; }
@@ -77,6 +84,7 @@ class PanelDocks : public QObject {
 
  private:
   QDockWidget* add(const QString& title, const char* name, QWidget* content);
+  void buildOutliner();
   void buildProbes();
   void buildPreview();
   void buildDebug();
@@ -90,7 +98,8 @@ class PanelDocks : public QObject {
   Parts parts_;
   QScrollArea* column_ = nullptr;
   QDockWidget* first_ = nullptr;  ///< the others are tabs beside it
-  ProbeList* probeList_ = nullptr;
+  Outliner* outliner_ = nullptr;
+  ProbeCommands* commands_ = nullptr;
   ProbePanel* probePanel_ = nullptr;
   BakePanel* bakePanel_ = nullptr;
   FitPanel* fitPanel_ = nullptr;

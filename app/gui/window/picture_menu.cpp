@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/edit/editor.h"
+#include "app/gui/edit/view_state.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/handles/scene_surfaces.h"
 #include "app/gui/view/view_commands.h"
@@ -20,6 +21,7 @@ PictureMenu::PictureMenu(const Parts& parts, QWidget* window) : QObject(window),
 
 void PictureMenu::select(const QPointF& pixel) {
   const auto object = parts_.surfaces.objectAt(parts_.viewport.view().ray({pixel.x(), pixel.y()}));
+  parts_.state.selectObjects(object && !object->node.empty() ? ViewState::Names{object->node} : ViewState::Names());
   if (!object) return;
   const QString node = QString::fromStdString(object->node), material = QString::fromStdString(object->material);
   emit message(material.isEmpty() ? tr("Object %1").arg(node) : tr("Object %1, material %2").arg(node, material));
@@ -63,8 +65,18 @@ std::unique_ptr<QMenu> PictureMenu::menuAt(const QPointF& pixel) {
   menu->addSection(tr("Object %1").arg(QString::fromStdString(node)));
   QAction* show = menu->addAction(tr("Show in the panels"));
   const QString material = QString::fromStdString(object->material);
-  connect(show, &QAction::triggered, this,
-          [this, node, material] { emit picked(QString::fromStdString(node), material); });
+  connect(show, &QAction::triggered, this, [this, node, material] {
+    parts_.state.selectObjects({node});
+    emit shownInPanels(QString::fromStdString(node), material);
+  });
+  menu->addAction(tr("Hide"), this, [this, node] { parts_.state.setHidden(ViewState::Part::Object, {node}, true); });
+  menu->addAction(tr("Show it alone"), this, [this, node] {
+    const Probe* probe = parts_.editor.probe();
+    parts_.state.isolate(probe != nullptr ? ViewState::Names{probe->name} : ViewState::Names(), {node});
+  });
+  if (parts_.state.isolated() || parts_.state.anyHidden()) {
+    menu->addAction(tr("Show all that is hidden"), &parts_.state, &ViewState::showAll);
+  }
   if (const Probe* probe = parts_.editor.probe()) {
     const bool out = std::find(probe->hides.begin(), probe->hides.end(), node) != probe->hides.end();
     QAction* leave = menu->addAction(tr("Leave out of the capture of %1").arg(parts_.editor.selectedName()));

@@ -18,6 +18,7 @@ class Editor;
 class MenuBar;
 class ProbeWidget;
 class SceneSurfaces;
+class ViewState;
 class ViewCommands;
 class Viewport;
 
@@ -27,6 +28,7 @@ class PictureMenu : public QObject {
  public:
   struct Parts {
     Editor& editor;
+    ViewState& state;
     Viewport& viewport;
     ProbeWidget& handles;
     SceneSurfaces& surfaces;
@@ -50,6 +52,8 @@ class PictureMenu : public QObject {
 
  signals:
   void picked(const QString& node, const QString& material);
+  /// Asked for in the menu: their fields are to be brought into view.
+  void shownInPanels(const QString& node, const QString& material);
   void message(const QString& text);
 
  private:

@@ -15,12 +15,15 @@
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/fit_panel.h"
-#include "app/gui/panels/probe_list.h"
+#include "app/gui/panels/light_panel.h"
+#include "app/gui/panels/outliner.h"
 #include "app/gui/view/axis_gizmo.h"
 #include "app/gui/view/compare_wipe.h"
 #include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/shown_scene.h"
 #include "app/gui/view/view_comparison.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/widgets/preferences.h"
 #include "app/gui/window/exposure_tools.h"
 #include "app/gui/window/key_list.h"
 #include "app/gui/window/menu_bar.h"
@@ -37,9 +40,13 @@ namespace boxprobe {
 ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
     : QObject(window),
       parts_(parts),
-      views_(new ViewCommands(parts.editor, parts.renderer, parts.viewport, this)),
-      pictureMenu_(
-          new PictureMenu({parts.editor, parts.viewport, parts.handles, parts.surfaces, *views_, parts.menu}, window)),
+      views_(new ViewCommands(parts.editor, parts.state, parts.renderer, parts.viewport, parts.surfaces, this)),
+      shown_(new ShownScene(
+          {parts.editor, parts.state, parts.renderer, parts.surfaces,
+           [this]() -> const ViewState::Names& { return parts_.panels.outliner().model().nodes(); }, parts.models},
+          this)),
+      pictureMenu_(new PictureMenu(
+          {parts.editor, parts.state, parts.viewport, parts.handles, parts.surfaces, *views_, parts.menu}, window)),
       wipe_(new CompareWipe(&parts.viewport)),
       compare_(new PictureCompare(
           parts.document, *wipe_,
@@ -68,13 +75,22 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
   connectCompare();
   connectSideBySide();
   connectGauge();
-  connect(&parts.menu, &MenuBar::selectAllRequested, &parts.panels.probeList(), &ProbeList::selectAll);
+  connectShown();
+  connectOutliner();
   connect(&parts.editor, &Editor::selectionChanged, &parts.handles, &ProbeWidget::update);
   connect(exposure_, &ExposureTools::automaticWanted, this, &ViewTools::automaticExposureWanted);
 }
 
 void ViewTools::subscribe(ChangeViews& views) {
   views.add("exposure in the tool bar", {&Changes::exposure}, [this](const Changes&) { exposure_->update(); });
+  views.add("shown scene",
+            {&Changes::probeShape, &Changes::probeList, &Changes::selection, &Changes::objects, &Changes::models},
+            [this](const Changes& changes) {
+              if (changes.probeList || changes.models) {
+                parts_.state.follow(parts_.editor.scene().probes, parts_.panels.outliner().model().nodes());
+              }
+              shown_->update();
+            });
 }
 
 // Cameras change the menu that asks for them: later.
@@ -96,12 +112,49 @@ void ViewTools::connectViews() {
   connect(menu, &MenuBar::countersSwitched, &parts_.status, &StatusLine::setCountersShown);
 }
 
+void ViewTools::connectShown() {
+  MenuBar* menu = &parts_.menu;
+  connect(menu, &MenuBar::hideRequested, shown_, &ShownScene::hideSelected);
+  connect(menu, &MenuBar::showAllRequested, shown_, &ShownScene::showAll);
+  connect(menu, &MenuBar::isolateRequested, shown_, &ShownScene::toggleIsolation);
+  connect(menu, &MenuBar::cutawaySwitched, shown_, &ShownScene::setCutaway);
+  parts_.state.setCutaway(cutsAway());
+  menu->showCutaway(parts_.state.cutaway());
+  connect(shown_, &ShownScene::message, &parts_.status, &StatusLine::showMessage);
+  connect(views_, &ViewCommands::message, &parts_.status, &StatusLine::showMessage);
+  connect(shown_, &ShownScene::pictureChanged, &parts_.scheduler, &RenderScheduler::requestRender);
+  connect(compare_, &PictureCompare::activeChanged, this, &ViewTools::showSceneWhole);
+  connect(sideBySide_, &ViewComparison::onChanged, this, &ViewTools::showSceneWhole);
+  // Whatever selects a probe.
+  connect(&parts_.editor, &Editor::selectionChanged, &parts_.state, [this] { parts_.state.selectObjects({}); });
+  connect(&parts_.handles, &ProbeWidget::taken, &parts_.state, [this] { parts_.state.selectObjects({}); });
+}
+
+void ViewTools::showSceneWhole() {
+  shown_->setWhole(compare_->active() || sideBySide_->on());
+}
+
+void ViewTools::connectOutliner() {
+  Outliner* outliner = &parts_.panels.outliner();
+  PanelDocks* panels = &parts_.panels;
+  connect(&parts_.menu, &MenuBar::selectAllRequested, outliner, &Outliner::selectAll);
+  connect(outliner, &Outliner::frameRequested, views_, &ViewCommands::frameSelection);
+  connect(outliner, &Outliner::hideRequested, shown_, &ShownScene::hideSelected);
+  connect(outliner, &Outliner::isolateRequested, shown_, &ShownScene::toggleIsolation);
+  connect(outliner, &Outliner::objectChosen, panels, [panels](const QString& node) { panels->show(node, {}); });
+  connect(outliner, &Outliner::lightChosen, &panels->lightPanel(), &LightPanel::choose);
+  connect(outliner, &Outliner::cameraWanted, &parts_.menu, &MenuBar::cameraChosen);
+  connect(outliner, &Outliner::cameraRenamed, views_, &ViewCommands::renameCamera);
+  connect(outliner, &Outliner::cameraDeleted, views_, &ViewCommands::deleteCamera, Qt::QueuedConnection);
+}
+
 void ViewTools::connectClicks(QMainWindow* window) {
   connect(&parts_.viewport, &Viewport::selected, pictureMenu_, &PictureMenu::select);
   connect(&parts_.viewport, &Viewport::menuRequested, pictureMenu_, &PictureMenu::show);
   connect(&parts_.viewport, &Viewport::doubleClicked, pictureMenu_, &PictureMenu::selectProbeOf);
   connect(&parts_.menu, &MenuBar::selectHereRequested, pictureMenu_, &PictureMenu::selectHere);
   connect(pictureMenu_, &PictureMenu::picked, &parts_.panels, &PanelDocks::show);
+  connect(pictureMenu_, &PictureMenu::shownInPanels, &parts_.panels, &PanelDocks::reveal);
   connect(pictureMenu_, &PictureMenu::message, &parts_.status, &StatusLine::showMessage);
   auto* clipboard = new ProbeClipboard(parts_.editor, window);
   connect(&parts_.menu, &MenuBar::copyRequested, clipboard, &ProbeClipboard::copy);
@@ -196,7 +249,12 @@ QImage ViewTools::barePicture() {
   try {
     const int shown = parts_.shownHandles.GetVisibility();
     parts_.shownHandles.VisibilityOff();
-    const ScopeExit again([this, shown] { parts_.shownHandles.SetVisibility(shown); });
+    const WindowView view = parts_.renderer.windowView();
+    parts_.renderer.setWindowView({});
+    const ScopeExit again([this, shown, &view] {
+      parts_.shownHandles.SetVisibility(shown);
+      parts_.renderer.setWindowView(view);
+    });
     image = parts_.renderer.renderDisplay();
   } catch (const Error& error) {
     parts_.status.showError(QString::fromUtf8(error.what()));

@@ -26,6 +26,7 @@ class FaceTags;
 class PanelDocks;
 class RenderScheduler;
 class SceneRenderer;
+class ShownScene;
 class StatusLine;
 class ViewComparison;
 
@@ -36,6 +37,7 @@ class ViewTools : public QObject {
   struct Parts {
     Document& document;
     Editor& editor;
+    ViewState& state;
     SceneRenderer& renderer;
     Viewport& viewport;
     vtkReflectionProbeRepresentation& shownHandles;
@@ -54,6 +56,7 @@ class ViewTools : public QObject {
   PictureMenu& pictureMenu() { return *pictureMenu_; }
   PictureCompare& compare() { return *compare_; }
   ViewComparison& sideBySide() { return *sideBySide_; }
+  ShownScene& shownScene() { return *shown_; }
   /// Ends whichever comparison is under way; false without one.
   bool stopComparing();
   /// The renderer draws the document's scene when this returns, whatever views were being made.
@@ -72,6 +75,9 @@ class ViewTools : public QObject {
   void connectCompare();
   void connectSideBySide();
   void connectGauge();
+  void connectShown();
+  void connectOutliner();
+  void showSceneWhole();
   void showKeys(bool shown);
   QImage barePicture();
   ImageRgbaF bareLight(const QSize& size);
@@ -79,6 +85,7 @@ class ViewTools : public QObject {
 
   Parts parts_;
   ViewCommands* views_;
+  ShownScene* shown_;
   PictureMenu* pictureMenu_;
   CompareWipe* wipe_;
   PictureCompare* compare_;

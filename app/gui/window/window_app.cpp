@@ -104,6 +104,10 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
     window.findChild<QDockWidget*>("lessons")->hide();  // none is open yet
   }
   window.show();
+  if (windowLayout().geometry.isEmpty()) {
+    constexpr int kOutliner = 230;  // names of a usual length, an eye and a lock
+    window.resizeDocks({window.findChild<QDockWidget*>("outliner")}, {kOutliner}, Qt::Horizontal);
+  }
   if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
   const QStringList remarks = takeSettingsRemarks();
   for (const QString& line : remarks) printWarnings({line.toStdString()});

@@ -6,11 +6,13 @@
 #include <vtkWeakPointer.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "filters/vtk/draw/frame_counts.h"
 #include "filters/vtk/draw/pass_settings.h"
 #include "filters/vtk/draw/scene_resources.h"
+#include "filters/vtk/draw/window_view.h"
 #include "filters/vtk/gl/gl_objects.h"
 
 class vtkRenderer;
@@ -28,6 +30,8 @@ class DrawState {
   /// The renderer of the window's picture: its camera's lights are uploaded again after a pass with another camera
   /// (PassScope).
   vtkWeakPointer<vtkRenderer> shown;
+  /// What stands before this box is left out by `shown` alone.
+  std::optional<CutBox> cut;
   /// The renderer that draws now, whose camera uniforms are relative to. Null: none of ours, and surfaces have VTK's
   /// own programs.
   vtkRenderer* drawing = nullptr;

@@ -17,6 +17,11 @@
 
 namespace boxprobe {
 
+// What a pixel shows is explained: not what the window leaves out.
+static bool inView(const DrawnObject& object) {
+  return object.settings.visible && !object.pass->GetHiddenInView();
+}
+
 SurfaceInspector::SurfaceInspector(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state,
                                    SceneContent* content)
     : window_(window), state_(std::move(state)), content_(content), capture_(window, state_) {}
@@ -41,7 +46,7 @@ std::vector<vtkProp*> SurfaceInspector::twinsAt(vtkCamera* camera, double aspect
   vtkMatrix4x4* clipFromWorld = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   std::vector<vtkProp*> result;
   for (std::size_t i = 0; i < content_->objects.size(); ++i) {
-    if (!content_->objects[i].settings.visible) continue;
+    if (!inView(content_->objects[i])) continue;
     const Box box = worldBounds(content_->objects[i]);
     glm::dvec2 low(1e300), high(-1e300);
     bool behind = false;
@@ -102,7 +107,7 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
     props = twinsAt(camera, static_cast<double>(width) / height, center, halfSize);
   } else {
     for (std::size_t i = 0; i < content_->objects.size(); ++i) {
-      if (content_->objects[i].settings.visible) props.push_back(twinOf(i));
+      if (inView(content_->objects[i])) props.push_back(twinOf(i));
     }
   }
   surfaces = capture_.capture(camera, width, height, rect, props, lights, needsFinish());

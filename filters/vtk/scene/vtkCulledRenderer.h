@@ -46,6 +46,8 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   void SetHiddenCulling(bool culling);
   /** Hidden props may be visible from now on, for a reason that no prop's redraw time indicates. */
   void ForgetHidden() { this->Still.forget(); }
+  /** The same of the culled ones: those drawn are determined anew. */
+  void ForgetDrawn() { this->DrawnHolds = false; }
   /** Number of props culled in the last frame because they are invisible; below: was the backdrop culled? */
   std::size_t GetCulledCount() const { return this->CulledCount; }
   bool GetBackdropCulled() const { return this->BackdropCulled; }

@@ -59,6 +59,9 @@ void vtkProbeActor::Render(vtkRenderer* renderer, vtkMapper* mapper) {
     this->Superclass::Render(renderer, mapper);
     return;
   }
+  if (this->Pass->GetHiddenInView() && renderer == state->shown.GetPointer()) {
+    return;
+  }
   vtkRenderer* const before = state->drawing;
   const boxprobe::ScopeExit drawn([state, before] {
     state->bound.clear();

@@ -23,6 +23,7 @@
 #include "filters/vtk/draw/probe_lamps.h"
 #include "filters/vtk/gl/broken_shader.h"
 #include "filters/vtk/gl/program_check.h"
+#include "filters/vtk/surface/cutaway.h"
 #include "filters/vtk/surface/probe_uniforms.h"
 #include "filters/vtk/surface/vtk_pbr_splice.h"
 
@@ -251,6 +252,13 @@ void vtkProbePass::SetDebug(bool debug) {
   }
 }
 
+void vtkProbePass::SetCut(bool cut) {
+  if (cut != this->Asked.cut) {
+    this->Asked.cut = cut;
+    this->Rebuild();
+  }
+}
+
 void vtkProbePass::SetDisabledParts(boxprobe::FrameParts parts) {
   constexpr boxprobe::FrameParts written = ~(boxprobe::kRasterPart | boxprobe::kObjectPart | boxprobe::kGroundPart);
   const bool another = (parts & written) != (this->Asked.leftOut & written);
@@ -377,6 +385,9 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
     boxprobe::breakShaderIfAsked(sources.fragment, "constants");
   }
   boxprobe::removeParts(sources.fragment, this->Asked.leftOut);
+  if (this->Asked.cut) {
+    boxprobe::addCutaway(sources.fragment);
+  }
   return true;
 }
 
@@ -522,6 +533,10 @@ void vtkProbePass::Upload(vtkShaderProgram* program, const double* boundsWorld) 
   state.bound.clear();
   const boxprobe::UniformUpload to{program, state.drawing, state.bound, boundsWorld};
   boxprobe::uploadOutput(to, state.pass());
+  if (this->Asked.cut) {
+    const bool inView = state.cut && state.drawing == state.shown.GetPointer();
+    boxprobe::uploadCutaway(program, state.drawing, inView ? &*state.cut : nullptr);
+  }
   if (this->Surface) {
     boxprobe::uploadMaterial(to, *this->Surface);
   }

@@ -99,6 +99,11 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   /** Draws without these parts, to measure their cost; the picture is then wrong (frame_parts.h). */
   void SetDisabledParts(boxprobe::FrameParts parts);
   boxprobe::FrameParts GetDisabledParts() const { return this->Asked.leftOut; }
+  /** Not drawn by the renderer of the window's picture (DrawState::shown); captures and other pictures have it. */
+  void SetHiddenInView(bool hidden) { this->HiddenInView = hidden; }
+  bool GetHiddenInView() const { return this->HiddenInView; }
+  /** Draws with a program that can leave out what stands before DrawState::cut (cutaway.h). */
+  void SetCut(bool cut);
 
   /** The facts for which its program may be specialized, if they hold (see surface_facts.h); by default all that hold.
    * If one no longer holds, the next draw uses another program. */
@@ -153,7 +158,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   struct Request {
     std::shared_ptr<const boxprobe::ProbeBinding> whole;    ///< as it was given
     std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< with as many impostors as the driver links
-    bool separateSpecular = false, heights = false, debug = false;
+    bool separateSpecular = false, heights = false, debug = false, cut = false;
     int objectNumber = 0;
     boxprobe::FrameParts leftOut = 0;
     boxprobe::ProgramRequest tuning;
@@ -203,6 +208,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   std::map<std::string, int> ImpostorsLess;  ///< by the variant key of bindings that the driver refused
   vtkTimeStamp Built;                        ///< when the program last had to change
   bool Again = false;
+  bool HiddenInView = false;
   vtkWeakPointer<vtkActor> Actor;
   vtkWeakPointer<vtkProp> Owner;
   vtkSmartPointer<vtkInformation>

@@ -72,6 +72,7 @@ struct vtkReflectionProbeRepresentation::Parts {
   std::vector<Probe> probes;  ///< that of `probe`, or those of ShowProbes()
   std::optional<std::size_t> selected;
   std::vector<std::size_t> together;
+  std::vector<bool> hidden, locked;
   std::vector<Probe> ghosts;
   std::optional<std::array<glm::dvec3, 2>> drop;
   bool othersChanged = false;  ///< ghosts or drop line
@@ -116,6 +117,47 @@ struct vtkReflectionProbeRepresentation::Parts {
   std::function<std::string(const char*)> words;
   std::unique_ptr<HandleLayers> layers;
   double bounds[6];
+
+  static bool has(const std::vector<bool>& marks, std::size_t index) { return index < marks.size() && marks[index]; }
+  /// Those left after hidden ones, and locked ones if `free`: the probes and their places among all.
+  struct Left {
+    std::vector<Probe> probes;
+    std::vector<std::size_t> of;
+    std::optional<std::size_t> at(std::optional<std::size_t> index) const {
+      const auto found = index ? std::lower_bound(of.begin(), of.end(), *index) : of.end();
+      return found != of.end() && *found == *index ? std::optional<std::size_t>(found - of.begin()) : std::nullopt;
+    }
+  };
+  Left left(bool free) const {
+    Left rest;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+      if (has(hidden, i) || (free && has(locked, i))) continue;
+      rest.probes.push_back(probes[i]);
+      rest.of.push_back(i);
+    }
+    return rest;
+  }
+  bool anyLeftOut() const {
+    const auto any = [](const std::vector<bool>& marks) {
+      return std::find(marks.begin(), marks.end(), true) != marks.end();
+    };
+    return any(hidden) || any(locked);
+  }
+  /// Shows what is left in the layers.
+  void updateLayers(HandleMode mode) {
+    if (!anyLeftOut()) return layers->update(probes, selected, together, hovered, mode);
+    const Left rest = left(false);
+    std::vector<std::size_t> beside;
+    for (const std::size_t index : together) {
+      if (const auto at = rest.at(index)) beside.push_back(*at);
+    }
+    std::optional<Handle> highlighted = hovered;
+    if (highlighted) {
+      const auto at = rest.at(highlighted->probe);
+      at ? void(highlighted->probe = *at) : highlighted.reset();
+    }
+    layers->update(rest.probes, rest.at(selected), beside, highlighted, mode);
+  }
 
   double pixelScale(vtkRenderer* renderer) const {
     vtkWindow* window = renderer != nullptr ? renderer->GetVTKWindow() : nullptr;
@@ -351,6 +393,15 @@ void vtkReflectionProbeRepresentation::ShowProbes(const std::vector<Probe>& prob
   this->Modified();
 }
 
+void vtkReflectionProbeRepresentation::LeaveOut(std::vector<bool> hidden, std::vector<bool> locked) {
+  Parts& in = *this->Inside;
+  if (hidden == in.hidden && locked == in.locked) return;
+  in.hidden = std::move(hidden);
+  in.locked = std::move(locked);
+  if (in.hovered && !this->GetDragging()) this->SetHovered(Outside);
+  this->Modified();
+}
+
 void vtkReflectionProbeRepresentation::ShowGhosts(const std::vector<Probe>& ghosts) {
   this->Inside->ghosts = ghosts;
   this->Inside->othersChanged = true;
@@ -384,7 +435,7 @@ void vtkReflectionProbeRepresentation::Follow(const ViewProjection& view) {
     colors.origin = toVector(this->OriginColor);
     colors.halo = toVector(this->HaloColor);
     in.layers->setLook(colors, this->HandleSize / kUsualHandleSize);
-    in.layers->update(in.probes, in.selected, in.together, in.hovered, static_cast<HandleMode>(this->Mode));
+    in.updateLayers(static_cast<HandleMode>(this->Mode));
     this->BuildTime.Modified();
   }
   if (in.othersChanged) {
@@ -401,8 +452,13 @@ std::optional<Handle> vtkReflectionProbeRepresentation::HandleAt(const ViewProje
                                                                  const glm::dvec2& pixel) const {
   const Parts& in = *this->Inside;
   if (this->Visibility == 0) return std::nullopt;
-  return handleAt(in.probes, in.selected, view, pixel, 0.5 * this->HandleSize + this->Tolerance,
-                  static_cast<HandleMode>(this->Mode), this->HandleSize / kUsualHandleSize);
+  const double reach = 0.5 * this->HandleSize + this->Tolerance, size = this->HandleSize / kUsualHandleSize;
+  const auto mode = static_cast<HandleMode>(this->Mode);
+  if (!in.anyLeftOut()) return handleAt(in.probes, in.selected, view, pixel, reach, mode, size);
+  const Parts::Left free = in.left(true);
+  auto handle = handleAt(free.probes, free.at(in.selected), view, pixel, reach, mode, size);
+  if (handle) handle->probe = free.of[handle->probe];
+  return handle;
 }
 
 std::optional<Handle> vtkReflectionProbeRepresentation::Hover(const ViewProjection& view, const glm::dvec2& pixel) {

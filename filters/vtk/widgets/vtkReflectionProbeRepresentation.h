@@ -182,6 +182,9 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   /// Instead of SetProbe().
   void ShowProbes(const std::vector<boxprobe::Probe>& probes, std::optional<std::size_t> selected,
                   const std::vector<std::size_t>& together);
+  /// Of the probes that ShowProbes() shows: hidden ones are neither drawn nor found under the pointer, locked ones not
+  /// found. By their index; those beyond the end are neither.
+  void LeaveOut(std::vector<bool> hidden, std::vector<bool> locked);
   /// Shows proposed boxes, dashed.
   void ShowGhosts(const std::vector<boxprobe::Probe>& ghosts);
   /// A plumb line from a capture origin to the floor below it; nothing: none.

@@ -1,17 +1,18 @@
-// The list of probes: add, duplicate, delete, rename, select; each undone in one step.
-#include "app/gui/panels/probe_list.h"
+// Whole probes: add, duplicate, delete, rename, select; each undone in one step.
+#include "app/gui/panels/probe_commands.h"
 
 #include <gtest/gtest.h>
 
 #include <QApplication>
 #include <QClipboard>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QStatusBar>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeView>
 
 #include "app/gui/handles/probe_widget.h"
+#include "app/gui/panels/outliner.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/probe_clipboard.h"
 #include "filters/vtk/scene_renderer.h"
@@ -21,29 +22,32 @@
 namespace boxprobe {
 namespace {
 
-class ProbeListTest : public WindowTest {
+class ProbeCommandsTest : public WindowTest {
  protected:
-  QListWidget* list() const { return window_->findChild<ProbeList*>()->list(); }
+  QTreeView* tree() const { return window_->findChild<Outliner*>()->tree(); }
+  QModelIndex row(std::size_t probe) const { return window_->findChild<Outliner*>()->model().probe(probe); }
+  QString shownName(std::size_t probe) const { return row(probe).data().toString(); }
   void click(const char* button) {
     QTest::mouseClick(window_->findChild<QToolButton*>(button), Qt::LeftButton);
     waitUntilIdle();
   }
   /// F2, the name, Enter: in the list itself.
-  void rename(int row, const QString& name) {
-    list()->setFocus();
-    list()->setCurrentRow(row);
-    list()->editItem(list()->item(row));
-    auto* editor = list()->viewport()->findChild<QLineEdit*>();
+  void rename(std::size_t probe, const QString& name) {
+    tree()->setFocus();
+    tree()->setCurrentIndex(row(probe));
+    tree()->edit(row(probe));
+    auto* editor = tree()->viewport()->findChild<QLineEdit*>();
     ASSERT_NE(editor, nullptr);
     editor->selectAll();
     QTest::keyClicks(editor, name);
     QTest::keyClick(editor, Qt::Key_Return);
-    QCoreApplication::processEvents();  // the list takes the text over in the next turn
+    // The tree takes the text over in the next turn, and hands it on in the one after.
+    for (int turn = 0; turn < 2; ++turn) QCoreApplication::processEvents();
   }
   std::size_t count() const { return window_->document().scene().probes.size(); }
 };
 
-TEST_F(ProbeListTest, AddFitsAProbeToTheSceneWhereTheCameraLooks) {
+TEST_F(ProbeCommandsTest, AddFitsAProbeToTheSceneWhereTheCameraLooks) {
   click("Add");
   ASSERT_EQ(count(), 2u);
   const Probe& added = probe(1);
@@ -55,15 +59,14 @@ TEST_F(ProbeListTest, AddFitsAProbeToTheSceneWhereTheCameraLooks) {
   const Camera camera = window_->renderer().currentCamera();
   EXPECT_EQ(added.origin.x, camera.target.x);
   EXPECT_EQ(document().selectedProbe(), 1u);
-  EXPECT_EQ(list()->count(), 2);
-  EXPECT_EQ(list()->currentRow(), 1);
+  EXPECT_EQ(tree()->currentIndex(), row(1));
   document().undo();
   EXPECT_EQ(count(), 1u);
-  EXPECT_EQ(list()->count(), 1);
+  EXPECT_FALSE(row(1).isValid());
   EXPECT_FALSE(document().canUndo());
 }
 
-TEST_F(ProbeListTest, DuplicateCopiesEverythingButTheNameALittleAside) {
+TEST_F(ProbeCommandsTest, DuplicateCopiesEverythingButTheNameALittleAside) {
   click("Duplicate");
   ASSERT_EQ(count(), 2u);
   Probe copy = probe(1);
@@ -81,7 +84,7 @@ TEST_F(ProbeListTest, DuplicateCopiesEverythingButTheNameALittleAside) {
   EXPECT_EQ(document().selectedProbe(), 1u) << "what comes back is selected";
 }
 
-TEST_F(ProbeListTest, CopyAndPasteGoThroughTheTextOfASceneFile) {
+TEST_F(ProbeCommandsTest, CopyAndPasteGoThroughTheTextOfASceneFile) {
   window_->viewport().setFocus();
   key(Qt::Key_C, Qt::ControlModifier);
   const std::string text = QApplication::clipboard()->text().toStdString();
@@ -101,7 +104,7 @@ TEST_F(ProbeListTest, CopyAndPasteGoThroughTheTextOfASceneFile) {
   }
 }
 
-TEST_F(ProbeListTest, PastedTextThatIsNoProbeIsOneLineAndChangesNothing) {
+TEST_F(ProbeCommandsTest, PastedTextThatIsNoProbeIsOneLineAndChangesNothing) {
   const Scene before = document().scene();
   window_->viewport().setFocus();
   const std::string wrong[] = {
@@ -121,9 +124,9 @@ TEST_F(ProbeListTest, PastedTextThatIsNoProbeIsOneLineAndChangesNothing) {
   EXPECT_FALSE(document().canUndo());
 }
 
-TEST_F(ProbeListTest, DeleteTakesTheSelectedOneAndUndoBringsItBack) {
+TEST_F(ProbeCommandsTest, DeleteTakesTheSelectedOneAndUndoBringsItBack) {
   click("Duplicate");
-  list()->setCurrentRow(0);
+  tree()->setCurrentIndex(row(0));
   click("Delete");
   ASSERT_EQ(count(), 1u);
   EXPECT_EQ(probe(0).name, "room 2");
@@ -133,8 +136,8 @@ TEST_F(ProbeListTest, DeleteTakesTheSelectedOneAndUndoBringsItBack) {
   EXPECT_EQ(probe(0).name, "room");
 }
 
-TEST_F(ProbeListTest, TheLastProbeCanGoAndThePanelSaysSo) {
-  list()->setFocus();
+TEST_F(ProbeCommandsTest, TheLastProbeCanGoAndThePanelSaysSo) {
+  tree()->setFocus();
   key(Qt::Key_Delete);
   waitUntilIdle();
   EXPECT_EQ(count(), 0u);
@@ -143,21 +146,21 @@ TEST_F(ProbeListTest, TheLastProbeCanGoAndThePanelSaysSo) {
   EXPECT_EQ(count(), 1u);
 }
 
-TEST_F(ProbeListTest, RenameInPlaceIsOneStepAndKeepsTheSelection) {
+TEST_F(ProbeCommandsTest, RenameInPlaceIsOneStepAndKeepsTheSelection) {
   rename(0, "hall");
   EXPECT_EQ(probe(0).name, "hall");
   EXPECT_EQ(document().selectedProbe(), 0u);
   EXPECT_EQ(document().undoLabel(), "Rename room to hall");
   document().undo();
   EXPECT_EQ(probe(0).name, "room");
-  EXPECT_EQ(list()->item(0)->text(), "room");
+  EXPECT_EQ(shownName(0), "room");
 }
 
-TEST_F(ProbeListTest, ANameTwiceOrNoneIsRefusedInOneLine) {
+TEST_F(ProbeCommandsTest, ANameTwiceOrNoneIsRefusedInOneLine) {
   click("Duplicate");
   rename(1, "room");
   EXPECT_EQ(probe(1).name, "room 2");
-  EXPECT_EQ(list()->item(1)->text(), "room 2");
+  EXPECT_EQ(shownName(1), "room 2");
   EXPECT_TRUE(window_->statusBar()->currentMessage().contains("room")) << "the status bar must say why";
   rename(1, "  ");
   EXPECT_EQ(probe(1).name, "room 2");
@@ -165,7 +168,7 @@ TEST_F(ProbeListTest, ANameTwiceOrNoneIsRefusedInOneLine) {
   EXPECT_FALSE(document().canUndo());
 }
 
-TEST_F(ProbeListTest, ClickingAnotherProbesOriginSelectsItAndEditsNothing) {
+TEST_F(ProbeCommandsTest, ClickingAnotherProbesOriginSelectsItAndEditsNothing) {
   click("Duplicate");
   window_->editor().commitProbe("Set origin", [](Probe& edited) { edited.origin.x += 1.5; });
   waitUntilIdle();
@@ -176,7 +179,7 @@ TEST_F(ProbeListTest, ClickingAnotherProbesOriginSelectsItAndEditsNothing) {
   move(at + QPointF(15, 0));
   release(at + QPointF(15, 0));
   EXPECT_EQ(document().selectedProbe(), 0u);
-  EXPECT_EQ(list()->currentRow(), 0);
+  EXPECT_EQ(tree()->currentIndex(), row(0));
   EXPECT_EQ(document().undoLabel(), last);
 }
 

@@ -1,0 +1,384 @@
+// See outliner.h.
+#include "app/gui/panels/outliner.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QItemSelectionModel>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QTreeView>
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+#include "app/gui/panels/probe_commands.h"
+
+namespace boxprobe {
+
+namespace {
+
+using Kind = OutlinerModel::Kind;
+using Part = ViewState::Part;
+
+/// Clicks on eyes and locks select nothing; it scrolls by its own keys alone.
+class Tree : public QTreeView {
+ public:
+  using QTreeView::QTreeView;
+  std::function<void(const QModelIndex&, bool alone)> marked;
+  std::function<void(const QModelIndex&)> entered;
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override {
+    const QModelIndex at = indexAt(event->pos());
+    if (at.isValid() && at.column() != OutlinerModel::kName) {
+      if (event->button() == Qt::LeftButton) marked(at, event->modifiers().testFlag(Qt::ControlModifier));
+      return event->accept();
+    }
+    QTreeView::mousePressEvent(event);
+  }
+  void mouseDoubleClickEvent(QMouseEvent* event) override {
+    const QModelIndex at = indexAt(event->pos());
+    if (at.isValid() && at.column() != OutlinerModel::kName) return mousePressEvent(event);
+    QTreeView::mouseDoubleClickEvent(event);
+  }
+  void mouseReleaseEvent(QMouseEvent* event) override {
+    const QModelIndex at = indexAt(event->pos());
+    if (at.isValid() && at.column() != OutlinerModel::kName) return event->accept();
+    QTreeView::mouseReleaseEvent(event);
+  }
+  void keyPressEvent(QKeyEvent* event) override {
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && state() != EditingState) {
+      if (currentIndex().isValid()) entered(currentIndex());
+      return event->accept();
+    }
+    const QModelIndex before = currentIndex();
+    QTreeView::keyPressEvent(event);
+    if (currentIndex() != before) scrollTo(currentIndex());
+  }
+};
+
+}  // namespace
+
+Outliner::Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QWidget* parent)
+    : QWidget(parent),
+      editor_(editor),
+      state_(state),
+      commands_(commands),
+      model_(new OutlinerModel(state, this)),
+      filter_(new QLineEdit(this)) {
+  filter_->setObjectName("outlinerFilter");
+  filter_->setPlaceholderText(tr("Find a name"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setToolTip(tr("Lists only what has this in its name"));
+  connect(filter_, &QLineEdit::textChanged, this, [this] {
+    update();
+    deselectHidden();
+  });
+
+  auto* tree = new Tree(this);
+  tree_ = tree;
+  tree_->setObjectName("outlinerTree");
+  tree_->setAccessibleName(tr("Outliner"));
+  tree_->setModel(model_);
+  tree_->setHeaderHidden(true);
+  tree_->setUniformRowHeights(true);
+  tree_->setIndentation(14);
+  tree_->setAutoScroll(false);
+  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+  tree_->setExpandsOnDoubleClick(false);
+  tree_->setAllColumnsShowFocus(true);
+  tree_->setMinimumWidth(190);
+  QHeaderView* header = tree_->header();
+  header->setStretchLastSection(false);
+  header->setMinimumSectionSize(24);
+  header->setSectionResizeMode(OutlinerModel::kName, QHeaderView::Stretch);
+  for (const int column : {OutlinerModel::kEye, OutlinerModel::kLock}) {
+    header->setSectionResizeMode(column, QHeaderView::Fixed);
+    header->resizeSection(column, 26);
+  }
+  tree->marked = [this](const QModelIndex& at, bool alone) { toggle(at, alone); };
+  tree->entered = [this](const QModelIndex& row) {
+    if (model_->kind(row) == Kind::Camera) return emit cameraWanted(static_cast<int>(model_->place(row)));
+    if (model_->isGroup(row)) return tree_->setExpanded(row, !tree_->isExpanded(row));
+    emit frameRequested();
+  };
+  connect(tree_, &QTreeView::customContextMenuRequested, this, [this](const QPoint& at) {
+    const QModelIndex row = tree_->indexAt(at).siblingAtColumn(OutlinerModel::kName);
+    if (!row.isValid()) return;
+    if (!tree_->selectionModel()->isSelected(row)) tree_->setCurrentIndex(row);
+    const auto menu = menuFor(row);
+    if (!menu->isEmpty()) menu->exec(tree_->viewport()->mapToGlobal(at));
+  });
+  connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& row) { keepOpen(row, true); });
+  connect(tree_, &QTreeView::collapsed, this, [this](const QModelIndex& row) { keepOpen(row, false); });
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(0, 0, 0, 0);
+  buttons->addWidget(addButton(tr("Add"),
+                               tr("Adds a probe captured at the centre of the view, with its box fitted to the scene"),
+                               &ProbeCommands::addProbe));
+  duplicate_ = addButton(tr("Duplicate"), tr("Copies the selected probes, a little aside (Ctrl+D)"),
+                         &ProbeCommands::duplicateProbe);
+  delete_ = addButton(tr("Delete"), tr("Removes the selected probes (Delete)"), &ProbeCommands::deleteProbe);
+  buttons->addWidget(duplicate_);
+  buttons->addWidget(delete_);
+  buttons->addStretch(1);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(6);
+  layout->addWidget(filter_);
+  layout->addWidget(tree_, 1);
+  layout->addLayout(buttons);
+
+  connect(model_, &OutlinerModel::modelReset, this, [this] {
+    openGroups();
+    showSelection();
+  });
+  connect(model_, &OutlinerModel::renamed, this, [this](const QModelIndex& row, const QString& name) {
+    const std::size_t place = model_->place(row);
+    // Later: the rows may be made anew, under the field that was typed into.
+    QMetaObject::invokeMethod(
+        this,
+        [this, place, name, camera = model_->kind(row) == Kind::Camera] {
+          camera ? emit cameraRenamed(static_cast<int>(place), name) : commands_.rename(place, name);
+        },
+        Qt::QueuedConnection);
+  });
+  connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &Outliner::choose);
+  connect(&state_, &ViewState::changed, this, [this] {
+    model_->stateChanged();
+    if (!choosing_) showSelection();
+  });
+  update();
+}
+
+// Names of a usual length, an eye and a lock: what is wider is taken from the picture.
+QSize Outliner::sizeHint() const {
+  return {230, QWidget::sizeHint().height()};
+}
+
+QToolButton* Outliner::addButton(const QString& text, const QString& toolTip, void (ProbeCommands::*action)()) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(text);
+  button->setText(text);
+  button->setToolTip(toolTip);
+  connect(button, &QToolButton::clicked, &commands_, action);
+  return button;
+}
+
+void Outliner::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
+  model_->setModels(models);
+}
+
+void Outliner::showStates(const std::vector<BakeStateLook>& looks) {
+  model_->showStates(looks);
+}
+
+void Outliner::update() {
+  model_->show(editor_.scene(), filter_->text().trimmed());
+  if (!choosing_) showSelection();
+  const std::vector<std::size_t> selected = editor_.selected();
+  duplicate_->setEnabled(!selected.empty());
+  delete_->setEnabled(!selected.empty());
+}
+
+// Probes are open at first, cameras and lights too; long lists of objects only once they are asked for, or searched.
+void Outliner::openGroups() {
+  opening_ = true;
+  const bool finding = !filter_->text().trimmed().isEmpty();
+  const std::function<void(const QModelIndex&)> open = [&](const QModelIndex& parent) {
+    for (int i = 0; i < model_->rowCount(parent); ++i) {
+      const QModelIndex row = model_->index(i, OutlinerModel::kName, parent);
+      if (!model_->isGroup(row)) continue;
+      const Kind kind = model_->kind(row);
+      const std::string key = std::to_string(static_cast<int>(kind)) + model_->name(row);
+      const bool usual = kind != Kind::Objects && kind != Kind::Lamps;
+      tree_->setExpanded(row, finding || (usual ? shut_.count(key) == 0 : opened_.count(key) > 0));
+      open(row);
+    }
+  };
+  open({});
+  opening_ = false;
+}
+
+void Outliner::keepOpen(const QModelIndex& row, bool open) {
+  if (opening_ || !filter_->text().trimmed().isEmpty()) return;
+  const std::string key = std::to_string(static_cast<int>(model_->kind(row))) + model_->name(row);
+  open ? shut_.erase(key) : opened_.erase(key);
+  (open ? opened_ : shut_).insert(key);
+}
+
+// A group stands for what is in it.
+void Outliner::choose() {
+  if (choosing_) return;
+  choosing_ = true;  // the tree is where it comes from: it shows it already
+  std::vector<std::size_t> probes;
+  ViewState::Names nodes;
+  std::optional<std::size_t> shown;
+  const QModelIndex current = tree_->currentIndex();
+  const std::function<void(const QModelIndex&)> take = [&](const QModelIndex& row) {
+    const Kind kind = model_->kind(row);
+    if (kind == Kind::Room || kind == Kind::Probes) {
+      for (int i = 0; i < model_->rowCount(row); ++i) take(model_->index(i, OutlinerModel::kName, row));
+    }
+    if (kind == Kind::Probe) probes.push_back(model_->place(row));
+    if (kind == Kind::Object || kind == Kind::Lamp) nodes.insert(model_->name(row));
+  };
+  for (const QModelIndex& row : tree_->selectionModel()->selectedRows()) take(row);
+  std::sort(probes.begin(), probes.end());
+  probes.erase(std::unique(probes.begin(), probes.end()), probes.end());
+  if (current.isValid() && model_->kind(current) == Kind::Probe) shown = model_->place(current);
+  if (!probes.empty()) editor_.selectProbes(probes, shown ? shown : editor_.document().selectedProbe());
+  state_.selectObjects(nodes);
+  if (current.isValid() && tree_->selectionModel()->isSelected(current)) {
+    const Kind kind = model_->kind(current);
+    if (kind == Kind::Object || kind == Kind::Lamp) {
+      emit objectChosen(QString::fromStdString(model_->name(current)));
+    }
+    if (kind == Kind::Light) emit lightChosen(model_->place(current));
+  }
+  const auto selected = editor_.document().selectedProbe();
+  model_->markShown(editor_.selected().size() > 1 && selected ? static_cast<int>(*selected) : -1);
+  choosing_ = false;
+}
+
+// Rows of lights and cameras stay selected: nothing else says that they are not.
+void Outliner::showSelection() {
+  choosing_ = true;
+  const auto selected = editor_.document().selectedProbe();
+  const std::vector<std::size_t> probes = editor_.selected();
+  QItemSelection wanted;
+  QModelIndex current;
+  if (!state_.objects().empty()) {
+    for (const std::string& node : state_.objects()) {
+      if (const QModelIndex row = model_->object(node); row.isValid()) wanted.select(row, row), current = row;
+    }
+  } else {
+    const std::set<std::size_t> meant(probes.begin(), probes.end());
+    for (const std::size_t place : meant) {
+      if (const QModelIndex row = model_->probe(place); row.isValid()) wanted.select(row, row);
+    }
+    if (selected) current = model_->probe(*selected);
+  }
+  model_->markShown(probes.size() > 1 && selected ? static_cast<int>(*selected) : -1);
+  QItemSelectionModel* selection = tree_->selectionModel();
+  if (current.isValid() && tree_->currentIndex() != current) {
+    selection->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
+  }
+  selection->select(wanted, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  choosing_ = false;
+}
+
+void Outliner::selectAll() {
+  const std::vector<std::size_t> all = model_->probesShown();
+  state_.selectObjects({});
+  if (!all.empty()) editor_.selectProbes(all, editor_.document().selectedProbe());
+}
+
+// What nobody sees in the list is not edited or deleted with the others. Alone, the probe on show stays.
+void Outliner::deselectHidden() {
+  const std::vector<std::size_t> selected = editor_.selected(), listed = model_->probesShown();
+  std::vector<std::size_t> left;
+  std::set_intersection(selected.begin(), selected.end(), listed.begin(), listed.end(), std::back_inserter(left));
+  if (selected.size() < 2 || left.size() == selected.size()) return;
+  const auto probe = editor_.document().selectedProbe();
+  editor_.selectProbes(left.empty() && probe ? std::vector<std::size_t>{*probe} : left, probe);
+}
+
+// Of a row that is selected with others: all of them.
+void Outliner::toggle(const QModelIndex& mark, bool alone) {
+  const QModelIndex row = mark.siblingAtColumn(OutlinerModel::kName);
+  QModelIndexList rows{row};
+  if (tree_->selectionModel()->isSelected(row)) rows = tree_->selectionModel()->selectedRows();
+  ViewState::Names names[2];
+  for (const QModelIndex& each : rows) {
+    for (const Part part : {Part::Probe, Part::Object}) {
+      const ViewState::Names under = model_->namesUnder(each, part);
+      names[static_cast<int>(part)].insert(under.begin(), under.end());
+    }
+  }
+  const auto& [probes, objects] = names;
+  if (probes.empty() && objects.empty()) return;
+  if (mark.column() == OutlinerModel::kEye && alone) {
+    state_.isolated() ? state_.endIsolation() : state_.isolate(probes, objects);
+    return;
+  }
+  const auto any = [&](const auto& holds) {
+    return std::any_of(probes.begin(), probes.end(), [&](const auto& name) { return holds(Part::Probe, name); }) ||
+           std::any_of(objects.begin(), objects.end(), [&](const auto& name) { return holds(Part::Object, name); });
+  };
+  if (mark.column() == OutlinerModel::kEye) {
+    const bool hide = any([this](Part part, const std::string& name) { return state_.shown(part, name); });
+    state_.endIsolation();
+    state_.setHidden(Part::Probe, probes, hide);
+    state_.setHidden(Part::Object, objects, hide);
+  } else {
+    const bool lock = any([this](Part part, const std::string& name) { return !state_.locked(part, name); });
+    state_.setLocked(Part::Probe, probes, lock);
+    state_.setLocked(Part::Object, objects, lock);
+  }
+}
+
+void Outliner::addProbeEntries(QMenu& menu, const QModelIndex& row) {
+  connect(menu.addAction(tr("&Rename")), &QAction::triggered, this,
+          [this, at = QPersistentModelIndex(row)] { tree_->edit(at); });
+  menu.addSeparator();
+  for (QAction* action : probeActions_) menu.addAction(action);
+}
+
+void Outliner::addViewEntries(QMenu& menu, const QModelIndex& row) {
+  menu.addSeparator();
+  const auto offer = [&](const QString& text, int column, bool alone) {
+    connect(menu.addAction(text), &QAction::triggered, this, [this, at = QPersistentModelIndex(row), column, alone] {
+      toggle(QModelIndex(at).siblingAtColumn(column), alone);
+    });
+  };
+  const Part part = model_->namesUnder(row, Part::Probe).empty() ? Part::Object : Part::Probe;
+  const ViewState::Names names = model_->namesUnder(row, part);
+  if (names.empty()) return;
+  const bool shown = std::any_of(names.begin(), names.end(), [&](const auto& n) { return state_.shown(part, n); });
+  const bool locked = std::all_of(names.begin(), names.end(), [&](const auto& n) { return state_.locked(part, n); });
+  offer(shown ? tr("&Hide") : tr("&Show"), OutlinerModel::kEye, false);
+  if (model_->isGroup(row)) {
+    offer(state_.isolated() ? tr("Show the &others again") : tr("Show it a&lone"), OutlinerModel::kEye, true);
+  } else {
+    connect(menu.addAction(state_.isolated() ? tr("Show the &others again") : tr("Show it a&lone")),
+            &QAction::triggered, this, &Outliner::isolateRequested);
+  }
+  offer(locked ? tr("&Unlock") : tr("Loc&k"), OutlinerModel::kLock, false);
+  if (state_.anyHidden()) {
+    connect(menu.addAction(tr("Show &all hidden")), &QAction::triggered, &state_, &ViewState::showAll);
+  }
+}
+
+void Outliner::addCameraEntries(QMenu& menu, const QModelIndex& row) {
+  const int place = static_cast<int>(model_->place(row));
+  connect(menu.addAction(tr("&Look through it")), &QAction::triggered, this,
+          [this, place] { emit cameraWanted(place); });
+  connect(menu.addAction(tr("&Rename")), &QAction::triggered, this,
+          [this, at = QPersistentModelIndex(row)] { tree_->edit(at); });
+  connect(menu.addAction(tr("&Delete")), &QAction::triggered, this, [this, place] { emit cameraDeleted(place); });
+}
+
+std::unique_ptr<QMenu> Outliner::menuFor(const QModelIndex& row) {
+  auto menu = std::make_unique<QMenu>(this);
+  const Kind kind = model_->kind(row);
+  if (kind == Kind::Probe) addProbeEntries(*menu, row);
+  if (kind == Kind::Object || kind == Kind::Lamp) {
+    connect(menu->addAction(tr("&Frame")), &QAction::triggered, this, &Outliner::frameRequested);
+  }
+  if (kind == Kind::Camera) addCameraEntries(*menu, row);
+  addViewEntries(*menu, row);
+  return menu;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,84 @@
+// The scene as a tree at the window's left: what is selected there is selected in the picture, and the other way. An
+// eye and a lock per row, a field that finds names, renaming in place, a menu under the right button. It scrolls and
+// takes the focus only when it is used itself. Called by the main window.
+#pragma once
+
+#include <QPersistentModelIndex>
+#include <QWidget>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "app/gui/edit/editor.h"
+#include "app/gui/edit/view_state.h"
+#include "app/gui/panels/bake_state_look.h"
+#include "app/gui/panels/outliner_model.h"
+
+class QAction;
+class QLineEdit;
+class QMenu;
+class QToolButton;
+class QTreeView;
+
+namespace boxprobe {
+
+class ProbeCommands;
+
+class Outliner : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `probeActions` are offered for probes.
+  Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QWidget* parent = nullptr);
+
+  void setProbeActions(const std::vector<QAction*>& actions) { probeActions_ = actions; }
+  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
+  /// The document changed.
+  void update();
+  /// How far each probe's maps are, in the scene's order.
+  void showStates(const std::vector<BakeStateLook>& looks);
+  /// All probes that are listed.
+  void selectAll();
+  /// What can be done with that row.
+  std::unique_ptr<QMenu> menuFor(const QModelIndex& row);
+
+  QSize sizeHint() const override;
+  QTreeView* tree() const { return tree_; }
+  const OutlinerModel& model() const { return *model_; }
+
+ signals:
+  void frameRequested();
+  void isolateRequested();
+  void hideRequested();
+  void objectChosen(const QString& node);
+  void lightChosen(std::size_t index);
+  void cameraWanted(int index);
+  void cameraRenamed(int index, const QString& name);
+  void cameraDeleted(int index);
+
+ private:
+  void choose();
+  void showSelection();
+  void toggle(const QModelIndex& mark, bool alone);
+  void deselectHidden();
+  void openGroups();
+  void keepOpen(const QModelIndex& row, bool open);
+  QToolButton* addButton(const QString& text, const QString& toolTip, void (ProbeCommands::*action)());
+  void addProbeEntries(QMenu& menu, const QModelIndex& row);
+  void addViewEntries(QMenu& menu, const QModelIndex& row);
+  void addCameraEntries(QMenu& menu, const QModelIndex& row);
+
+  Editor& editor_;
+  ViewState& state_;
+  ProbeCommands& commands_;
+  std::vector<QAction*> probeActions_;
+  OutlinerModel* model_;
+  QLineEdit* filter_;
+  QTreeView* tree_;
+  QToolButton *duplicate_ = nullptr, *delete_ = nullptr;
+  std::set<std::string> shut_, opened_;  ///< groups that the user has closed or opened, by kind and name
+  bool choosing_ = false;                ///< the tree's own selection is on its way to the document
+  bool opening_ = false;                 ///< groups are opened as they were
+};
+
+}  // namespace boxprobe

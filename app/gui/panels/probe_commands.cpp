@@ -1,0 +1,92 @@
+// See probe_commands.h.
+#include "app/gui/panels/probe_commands.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "app/session/fit_scene.h"
+#include "filters/vtk/widgets/handle_drag.h"
+
+namespace boxprobe {
+
+namespace {
+
+Probe newProbe(const Scene& scene, const Box& bounds, const glm::dvec3& targetWorld) {
+  Probe probe = fittedProbe(bounds);
+  probe.name = unusedProbeName(scene, "probe");
+  // Looking past the scene must not put the origin outside of what it captures.
+  probe.origin = glm::clamp(targetWorld, bounds.min + 0.05 * bounds.size(), bounds.max - 0.05 * bounds.size());
+  return probe;
+}
+
+}  // namespace
+
+ProbeCommands::ProbeCommands(Editor& editor, Hooks hooks, QObject* parent)
+    : QObject(parent), editor_(editor), hooks_(std::move(hooks)) {}
+
+void ProbeCommands::addProbe() {
+  editor_.finish();
+  if (editor_.scene().models.empty()) {
+    return emit editor_.failed(tr("There is nothing to capture yet: open a model or a scene first (Ctrl+O)"));
+  }
+  const Probe probe = newProbe(editor_.scene(), hooks_.sceneBounds(), hooks_.cameraTargetWorld());
+  editor_.commit(tr("Add %1").arg(QString::fromStdString(probe.name)),
+                 [probe](Scene& scene) { scene.probes.push_back(probe); });
+  editor_.selectProbe(findProbe(editor_.scene(), probe.name));
+  emit added();
+}
+
+// The copies stand together behind the last of what they are of.
+void ProbeCommands::duplicateProbe() {
+  editor_.finish();
+  const std::vector<std::size_t> selected = editor_.selected();
+  if (selected.empty()) return;
+  const QString from = editor_.selectedName();
+  Scene after = editor_.scene();
+  const std::size_t at = selected.back() + 1;
+  std::vector<std::size_t> copies;
+  for (const std::size_t index : selected) {
+    Probe copy = besideOthers(after.probes[index], after.probes);
+    copy.name = unusedProbeName(after, copy.name);
+    copies.push_back(at + copies.size());
+    after.probes.insert(after.probes.begin() + static_cast<std::ptrdiff_t>(copies.back()), copy);
+  }
+  const std::vector<Probe> all = after.probes;
+  editor_.commit(tr("Duplicate %1").arg(from), [all](Scene& scene) { scene.probes = all; });
+  editor_.selectProbes(copies);
+}
+
+void ProbeCommands::deleteProbe() {
+  editor_.finish();
+  const std::vector<std::size_t> selected = editor_.selected();
+  if (selected.empty()) return;
+  editor_.commit(tr("Delete %1").arg(editor_.selectedName()), [selected](Scene& scene) {
+    for (auto index = selected.rbegin(); index != selected.rend(); ++index) {
+      scene.probes.erase(scene.probes.begin() + static_cast<std::ptrdiff_t>(*index));
+    }
+  });
+  const std::size_t left = editor_.scene().probes.size();
+  if (left > 0) editor_.selectProbe(std::min(selected.front(), left - 1));
+}
+
+void ProbeCommands::rename(std::size_t index, const QString& name) {
+  const auto& probes = editor_.scene().probes;
+  if (index >= probes.size()) return;
+  const std::string from = probes[index].name;
+  const QString to = name.trimmed();
+  const auto holder = findProbe(editor_.scene(), to.toStdString());
+  if (to.isEmpty()) {
+    emit editor_.failed(tr("A probe needs a name; it stays %1").arg(QString::fromStdString(from)));
+  } else if (holder && *holder != index) {
+    emit editor_.failed(tr("A probe named %1 already exists; each needs its own name").arg(to));
+  } else if (to.toStdString() != from) {
+    const std::string now = to.toStdString();
+    editor_.commit(tr("Rename %1 to %2").arg(QString::fromStdString(from), to),
+                   [index, now](Scene& scene) { scene.probes[index].name = now; });
+    const std::vector<std::size_t> selected = editor_.selected();
+    if (std::find(selected.begin(), selected.end(), index) == selected.end()) editor_.selectProbe(index);
+  }
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,130 @@
+// See shown_scene.h.
+#include "app/gui/view/shown_scene.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+#include <limits>
+
+#include "app/gui/handles/scene_surfaces.h"
+#include "app/gui/widgets/preferences.h"
+#include "filters/core/geometry/model_placement.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+using Part = ViewState::Part;
+
+namespace {
+
+/// Has the mesh a triangle whose bounds, in the probe's frame, meet its box? What stands around a box, such as hills,
+/// has bounds that contain it.
+bool reachesInto(const Mesh& mesh, const glm::dmat4& worldFromMesh, const Probe& probe) {
+  const glm::dmat3 boxFromWorld = glm::transpose(rotationMatrix(probe.rotationDegrees));
+  const glm::dvec3 center = probe.box.center(), half = 0.5 * probe.box.size();
+  for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
+    glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
+    for (std::size_t corner = at; corner < at + 3; ++corner) {
+      const glm::dvec3 world(worldFromMesh * glm::dvec4(glm::dvec3(mesh.positions[mesh.indices[corner]]), 1.0));
+      const glm::dvec3 inBox = boxFromWorld * (world - center);
+      low = glm::min(low, inBox);
+      high = glm::max(high, inBox);
+    }
+    if (glm::all(glm::lessThanEqual(low, half)) && glm::all(glm::lessThanEqual(-half, high))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ShownScene::ShownScene(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
+  connect(&parts_.state, &ViewState::changed, this, &ShownScene::update);
+}
+
+void ShownScene::update() {
+  const ViewState& state = parts_.state;
+  WindowView view;
+  if (!whole_) {
+    for (const std::string& node : parts_.nodes()) {
+      if (!state.shown(Part::Object, node)) view.hidden.insert(node);
+    }
+    const Probe* probe = parts_.editor.probe();
+    if (state.cutaway() && probe != nullptr) view.cutaway = CutBox{probe->box, probe->rotationDegrees};
+  }
+  view.outlined = state.objects();
+  ViewState::Names locked;
+  for (const std::string& node : parts_.nodes()) {
+    if (state.locked(Part::Object, node)) locked.insert(node);
+  }
+  parts_.surfaces.setView({view.hidden, locked, view.cutaway});
+  if (view == parts_.renderer.windowView()) return;
+  parts_.renderer.setWindowView(view);
+  emit pictureChanged();
+}
+
+void ShownScene::setWhole(bool whole) {
+  if (whole == whole_) return;
+  whole_ = whole;
+  update();
+}
+
+ViewState::Names ShownScene::selectedProbes() const {
+  ViewState::Names names;
+  for (const std::size_t index : parts_.editor.selected()) names.insert(parts_.editor.scene().probes[index].name);
+  return names;
+}
+
+void ShownScene::hideSelected() {
+  const ViewState::Names objects = parts_.state.objects();
+  const Part part = objects.empty() ? Part::Probe : Part::Object;
+  const ViewState::Names names = objects.empty() ? selectedProbes() : objects;
+  if (names.empty()) return emit message(tr("Nothing is selected that could be hidden"));
+  parts_.state.setHidden(part, names, true);
+  emit message(names.size() == 1
+                   ? tr("%1 is hidden in this window; Alt+H shows it").arg(QString::fromStdString(*names.begin()))
+                   : tr("%1 are hidden in this window; Alt+H shows them").arg(static_cast<int>(names.size())));
+}
+
+ViewState::Names ShownScene::objectsIn(const std::vector<std::size_t>& probes) const {
+  const Scene& scene = parts_.editor.scene();
+  const auto models = parts_.models();
+  ViewState::Names names;
+  for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
+    for (const Instance& instance : models[i]->instances) {
+      if (names.count(instance.node) > 0) continue;
+      const glm::dmat4 place =
+          movedInstance(worldFromFile(scene.models[i]) * instance.worldFromModel, scene, instance.node);
+      const Mesh& mesh = models[i]->meshes[static_cast<std::size_t>(instance.mesh)];
+      const bool in = std::any_of(probes.begin(), probes.end(),
+                                  [&](std::size_t index) { return reachesInto(mesh, place, scene.probes[index]); });
+      if (in) names.insert(instance.node);
+    }
+  }
+  return names;
+}
+
+void ShownScene::toggleIsolation() {
+  if (parts_.state.isolated()) return parts_.state.endIsolation();
+  const ViewState::Names probes = selectedProbes();
+  ViewState::Names objects = parts_.state.objects();
+  if (objects.empty()) {
+    if (probes.empty()) return emit message(tr("Nothing is selected that could be shown alone"));
+    objects = objectsIn(parts_.editor.selected());
+  }
+  parts_.state.isolate(probes, objects);
+  emit message(tr("The selection alone; / shows the others again"));
+}
+
+void ShownScene::showAll() {
+  parts_.state.showAll();
+}
+
+void ShownScene::setCutaway(bool on) {
+  keepCutaway(on);
+  parts_.state.setCutaway(on);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,58 @@
+// Brings the picture up to what the window hides, isolates, outlines and cuts away, and does so by command. What is
+// rendered, exported, compared or captured has everything. Called by the main window's tools.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/gui/edit/editor.h"
+#include "app/gui/edit/view_state.h"
+#include "filters/core/scene/model.h"
+
+namespace boxprobe {
+
+class SceneRenderer;
+class SceneSurfaces;
+
+class ShownScene : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    Editor& editor;
+    ViewState& state;
+    SceneRenderer& renderer;
+    SceneSurfaces& surfaces;
+    std::function<const ViewState::Names&()> nodes;  ///< of all objects
+    std::function<std::vector<std::shared_ptr<const Model>>()> models;
+  };
+  ShownScene(const Parts& parts, QObject* parent);
+
+  /// The document changed.
+  void update();
+  /// While pictures are compared the whole scene is shown: what is measured beside it has everything, too.
+  void setWhole(bool whole);
+
+  void hideSelected();
+  /// The selected objects alone; or the selected probes and the objects that reach into their boxes. Once more: all.
+  void toggleIsolation();
+  void showAll();
+  void setCutaway(bool on);
+
+ signals:
+  /// Another picture is wanted.
+  void pictureChanged();
+  void message(const QString& text);
+
+ private:
+  ViewState::Names selectedProbes() const;
+  ViewState::Names objectsIn(const std::vector<std::size_t>& probes) const;
+
+  Parts parts_;
+  bool whole_ = false;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,29 @@
+// What the window's own frames leave out of the scene, and what they mark. Captures, linear pictures, explanations,
+// mirrors and shadows show everything.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "filters/core/scene/scene.h"
+
+namespace boxprobe {
+
+/// What stands between the eye and this box is not drawn, where the box would be seen.
+struct CutBox {
+  Box box;                          ///< see Box
+  glm::dvec3 rotationDegrees{0.0};  ///< about its centre, as a probe's
+  bool operator==(const CutBox& o) const { return box == o.box && rotationDegrees == o.rotationDegrees; }
+};
+
+struct WindowView {
+  std::set<std::string> hidden;    ///< objects, by node
+  std::optional<CutBox> cutaway;   ///< nothing: nothing is cut
+  std::set<std::string> outlined;  ///< objects that have an outline, by node
+  bool operator==(const WindowView& o) const {
+    return hidden == o.hidden && cutaway == o.cutaway && outlined == o.outlined;
+  }
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,78 @@
+#include "filters/vtk/inspect/object_outline.h"
+
+#include <vtkActor.h>
+#include <vtkMapper.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkOutlineGlowPass.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kLayersAbove = 3;  ///< over the handles' two, which would be drawn over by it otherwise
+constexpr double kColor[3] = {1.0, 0.70, 0.10};
+constexpr float kIntensity = 8.0f;
+
+}  // namespace
+
+ObjectOutline::~ObjectOutline() {
+  if (layer_ != nullptr && window_ != nullptr) window_->RemoveRenderer(layer_);
+}
+
+void ObjectOutline::build() {
+  layer_ = vtkSmartPointer<vtkRenderer>::New();
+  const int layer = scene_->GetLayer() + kLayersAbove;
+  window_->SetNumberOfLayers(std::max(window_->GetNumberOfLayers(), layer + 1));
+  layer_->SetLayer(layer);
+  layer_->InteractiveOff();
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkOutlineGlowPass> glow;
+  glow->SetDelegatePass(steps);
+  glow->SetOutlineIntensity(kIntensity);
+  layer_->SetPass(glow);
+}
+
+void ObjectOutline::show(const std::vector<vtkActor*>& pieces) {
+  if (window_ == nullptr || scene_ == nullptr || (pieces.empty() && twins_.empty())) return;
+  if (layer_ == nullptr) build();
+  for (const auto& twin : twins_) layer_->RemoveActor(twin);
+  twins_.clear();
+  for (vtkActor* piece : pieces) {
+    auto twin = vtkSmartPointer<vtkActor>::New();
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputDataObject(piece->GetMapper()->GetInputDataObject(0, 0));
+    mapper->ScalarVisibilityOff();
+    twin->SetMapper(mapper);
+    vtkNew<vtkMatrix4x4> place;  // the piece's own changes when it is moved
+    if (piece->GetUserMatrix() != nullptr) place->DeepCopy(piece->GetUserMatrix());
+    twin->SetUserMatrix(place);
+    twin->GetProperty()->LightingOff();
+    twin->GetProperty()->SetColor(kColor[0], kColor[1], kColor[2]);
+    twin->PickableOff();
+    layer_->AddActor(twin);
+    twins_.push_back(twin);
+  }
+  layer_->SetActiveCamera(scene_->GetActiveCamera());  // depths are not compared, but places are the same
+  if (twins_.empty()) {
+    window_->RemoveRenderer(layer_);
+  } else if (!window_->HasRenderer(layer_)) {
+    window_->AddRenderer(layer_);
+  }
+}
+
+void ObjectOutline::release() {
+  if (layer_ == nullptr || window_ == nullptr) return;
+  show({});
+  layer_->ReleaseGraphicsResources(window_);
+  layer_ = nullptr;
+}
+
+}  // namespace boxprobe
