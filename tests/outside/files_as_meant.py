@@ -193,7 +193,8 @@ def environments():
     line("Radiance, -X", [.25, 1, 2], sky(radiance("e.hdr", SKY[:, ::-1], size="-Y 8 -X 16")))
     line("Radiance, X first", [.25, 1, 2], sky(radiance("f.hdr", SKY.transpose(1, 0, 2), size="+X 16 -Y 8")))
     to_xyz = np.array([[.4124564, .3575761, .1804375], [.2126729, .7151522, .0721750], [.0193339, .1191920, .9503041]])
-    line("Radiance, XYZE", [.25, 1, 2], sky(radiance("g.hdr", SKY @ to_xyz.T, head="FORMAT=32-bit_rle_xyze\n")), .08)  # eight bits of the brightest of XYZ
+    # Eight bits of the brightest of XYZ.
+    line("Radiance, XYZE", [.25, 1, 2], sky(radiance("g.hdr", SKY @ to_xyz.T, head="FORMAT=32-bit_rle_xyze\n")), .08)
     line("OpenEXR, the left half of the display window", [.25, 1, 2], sky(exr("a.exr", SKY[:, :8], window=(0, 0, 16, 8))))
     line("OpenEXR, the right half alone: outside", [0, 0, 0], sky(exr("b.exr", SKY[:, 8:], window=(8, 0, 16, 8))))
     ap0 = np.array([.7347, .2653, 0, 1, .0001, -.077, .32168, .33767], "f4")
@@ -240,8 +241,8 @@ def materials():
     half.paste(255, (0, 0, 2, 4))
     half.save("mask.png")
     as_red = drawn(gltf("red.gltf"))
-    for statement in ("map_Kd my red tile.png", 'map_Kd "my red tile.png"', "map_kd MY RED TILE.PNG", "map_Kd -s 2 2 -o .5 0 my red tile.png",
-                      "MAP_KD .\\my red tile.png"):
+    for statement in ("map_Kd my red tile.png", 'map_Kd "my red tile.png"', "map_kd MY RED TILE.PNG",
+                      "map_Kd -s 2 2 -o .5 0 my red tile.png", "MAP_KD .\\my red tile.png"):
         line("MTL, " + statement, as_red, drawn(obj("n", "newmtl m\nKd 1 1 1\n%s\n" % statement)))
     line("MTL, byte order mark and carriage returns", as_red, drawn(obj("o", "\ufeffnewmtl m\rKd 1 0 0\r")))
     line("MTL, Ke", [.5, .25, .125], drawn(obj("p", "newmtl m\nKd 0 0 0\nKe .5 .25 .125\n"), {"color": [0, 0, 0]}))
