@@ -1,5 +1,6 @@
 // A .glb of `export --format glb` drawn once by data/glb/boxprobe_glb_three.js; the mask has the surfaces `config.nodes`.
 import * as THREE from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { report, display } from './report.js';
 
 const config = await (await fetch('/config.json')).json();
@@ -8,9 +9,13 @@ const { loadBoxprobeGlb } = await import('/loader/boxprobe_glb_three.js');
 const renderer = new THREE.WebGLRenderer({ antialias: false });
 renderer.debug.onShaderError = (gl, program, vertex, fragment) => { throw new Error(gl.getProgramInfoLog(program) + gl.getShaderInfoLog(fragment)); };
 renderer.toneMapping = THREE.NoToneMapping;
-const gltf = await loadBoxprobeGlb('/scene/' + config.file);
 const scene = new THREE.Scene();
+const gltf = config.grid ? await new GLTFLoader().loadAsync('/scene/' + config.file) : await loadBoxprobeGlb('/scene/' + config.file);
 scene.add(gltf.scene);
+if (config.grid) {
+  const { boxprobeAreaLights, boxprobeLightGrids } = await import('/loader/boxprobe_light_grid.js');
+  scene.add(...await boxprobeLightGrids(gltf), ...boxprobeAreaLights(gltf));
+}
 scene.background = gltf.scene.userData.background || null;
 const target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, samples: 0 });
 const camera = gltf.cameras.find((each) => (each.userData.name ?? each.name) === config.view);

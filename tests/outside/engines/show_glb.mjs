@@ -1,13 +1,14 @@
 // One .glb with its probes in three.js by data/glb/boxprobe_glb_three.js, beside `boxprobe render` by the same camera, and before
 // Khronos' validator. Prints the PSNR over the surfaces named, and over all of the picture.
-// usage: show_glb.mjs BOXPROBE SCENES LIT LOADER OUT NODE_MODULES    LIT: folder of scenes with lamps; LOADER: folder of the loader
+// usage: show_glb.mjs BOXPROBE SCENES LIT LOADER OUT [VIEW] NODE_MODULES    LIT: folder of scenes with lamps; LOADER: folder of the loader
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { drawnByPage } from './browser.mjs';
 
-const [program, scenes, lit, loader, out, modules] = process.argv.slice(2);
+const [program, scenes, lit, loader, out, ...rest] = process.argv.slice(2);
+const modules = rest.pop(), only = rest;
 const require = createRequire(path.resolve(modules, 'x.js'));
 const { PNG } = require('pngjs'), validator = require('gltf-validator');
 const width = 320, height = 200;
@@ -24,6 +25,8 @@ const views = [
   { name: 'floor', scene: path.join(scenes, 'room'), camera: 'A', nodes: ['floor'], least: 50, light: 0.02 },
   { name: 'two-probes', scene: path.join(scenes, 'building'), camera: 'main', nodes: ['mirror'], least: 35, light: 0.02, probes: [second] },
   { name: 'lamp', scene: path.join(lit, 'closed'), camera: 'corner', nodes: ['floor', 'wall north', 'wall east'], least: 35, light: 0.05 },
+  // three's own materials, with a grid of light probes and area lights in place of the loader.
+  { name: 'grid', scene: path.join(lit, 'closed'), camera: 'corner', nodes: ['floor', 'wall north', 'wall east'], least: 33, light: 0.05, grid: true },
 ];
 
 function compared(ours, theirs, mask) {
@@ -43,6 +46,7 @@ function compared(ours, theirs, mask) {
 
 let good = true;
 for (const view of views) {
+  if (only.length && !only.includes(view.name)) continue;
   mkdirSync(out, { recursive: true });
   const json = JSON.parse(readFileSync(view.scene + '.boxprobe.json'));
   json.model = path.resolve(path.dirname(view.scene), json.model);
@@ -56,7 +60,7 @@ for (const view of views) {
   const { issues } = await validator.validateBytes(new Uint8Array(readFileSync(file)), { maxIssues: 100 });
   const errors = issues.messages.filter(({ severity }) => severity === 0);
   for (const { code, message, pointer } of errors) console.log(`  ${code} ${pointer}: ${message}`);
-  const config = { width, height, nodes: view.nodes, view: view.camera, file: view.name + '.glb', build: 'three.module.js' };
+  const config = { width, height, nodes: view.nodes, view: view.camera, file: view.name + '.glb', grid: view.grid, build: 'three.module.js' };
   const drawn = await drawnByPage('glb_three.js', config, { scene: path.resolve(out), loader: path.resolve(loader) }, path.resolve(modules));
   const ours = PNG.sync.read(readFileSync(png)).data;
   const on = compared(ours, drawn.picture, drawn.mask), all = compared(ours, drawn.picture);
