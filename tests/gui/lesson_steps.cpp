@@ -1,6 +1,7 @@
 // See lesson_steps.h.
 #include "tests/gui/lesson_steps.h"
 
+#include <QDockWidget>
 #include <QPixmap>
 #include <QScreen>
 #include <QScrollArea>
@@ -31,6 +32,7 @@ void LessonWindowTest::SetUp() {
 void LessonWindowTest::TearDown() {
   window_->projector().setOn(false);
   lessons().leave();
+  window_->findChild<QDockWidget*>("lessons")->close();  // its key opens it for the next one
   forgetLessons();
 }
 
