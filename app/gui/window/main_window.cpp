@@ -14,6 +14,7 @@
 
 #include "app/gui/explain/debug_view.h"
 #include "app/gui/handles/probe_widget.h"
+#include "app/gui/lessons/lesson_panel.h"
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/fit_panel.h"
@@ -376,7 +377,8 @@ void MainWindow::showLessons() {
 }
 
 void MainWindow::toggleLessons() {
-  if (!lessonDock_->close()) showLessons();
+  // From a lesson's page back to the list first.
+  if (lessons_->panel()->stepShown() || !lessonDock_->close()) showLessons();
 }
 
 void MainWindow::openLesson(const QString& name, std::optional<std::size_t> step) {

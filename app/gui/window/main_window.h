@@ -56,7 +56,7 @@ class MainWindow : public QMainWindow {
 
   /// The list of lessons beside the picture; the scene on show stays.
   void showLessons();
-  /// The same, or away with it where it is on show.
+  /// The same, or away with the list where it is on show.
   void toggleLessons();
   /// A lesson, from that step (0 the first) or where the learner left off. The scene on show comes back afterwards.
   void openLesson(const QString& name, std::optional<std::size_t> step = {});
