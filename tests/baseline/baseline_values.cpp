@@ -50,10 +50,12 @@ double rounded(double value, int digits) {
   return std::strtod(text, nullptr);
 }
 
-/// Those that say how long something took, on what, or where it lies.
+/// Those that say how long something took, on what, or where it lies; light along traced paths, which end elsewhere on
+/// another processor.
 bool leftOut(const std::string& key) {
-  static const std::set<std::string> names = {"times", "memoryBytes", "gl",        "renderer", "software", "writer",
-                                              "path",  "checksum",    "inputHash", "comments", "costs"};
+  static const std::set<std::string> names = {"times",  "memoryBytes", "gl",       "renderer",  "software",
+                                              "writer", "path",        "checksum", "inputHash", "comments",
+                                              "costs",  "lightError",  "gainLight"};
   return names.count(key) > 0 || endsWith(key, "econds") || endsWith(key, "Bytes");
 }
 

@@ -97,21 +97,21 @@ TEST(Fit, SaysWhatEachFaceGainsOfTheLight) {
   // The wall that is missed is the bright one: angle and light are gained, by that face.
   const json bright = fitted({roomOfLamps(folder, {0.4, 5.0, 0.7, 0.55, 0.3, 0.85})})["probes"][0];
   ASSERT_EQ(bright["outcome"], "fitted");
-  EXPECT_GT(bright["before"]["light"], 0.1);
-  EXPECT_LT(bright["after"]["light"], 0.02) << "the box is the room";
+  EXPECT_GT(bright["before"]["lightError"], 0.1);
+  EXPECT_LT(bright["after"]["lightError"], 0.02) << "the box is the room";
   EXPECT_NEAR(bright["faces"]["+x"]["gainLight"].get<double>(),
-              bright["before"]["light"].get<double>() - bright["after"]["light"].get<double>(), 0.02);
+              bright["before"]["lightError"].get<double>() - bright["after"]["lightError"].get<double>(), 0.02);
   for (const char* face : {"-x", "-y", "+y", "-z", "+z"}) {
     EXPECT_NEAR(bright["faces"][face]["gainLight"].get<double>(), 0.0, 0.01) << face;
   }
   // All walls alike: however wrong the lookup, what it finds is right.
   const json even = fitted({roomOfLamps(folder, {0.6, 0.6, 0.6, 0.6, 0.6, 0.6})})["probes"][0];
   EXPECT_GT(even["before"]["meanDegrees"], 1.0);
-  EXPECT_NEAR(even["before"]["light"].get<double>(), 0.0, 1e-4);
+  EXPECT_NEAR(even["before"]["lightError"].get<double>(), 0.0, 1e-4);
   EXPECT_NEAR(even["faces"]["+x"]["gainLight"].get<double>(), 0.0, 1e-4);
   // Without light there is nothing to say.
   const std::string dark = roomOfLamps(folder, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
-  EXPECT_FALSE(fitted({dark})["probes"][0]["before"].contains("light"));
+  EXPECT_FALSE(fitted({dark})["probes"][0]["before"].contains("lightError"));
   EXPECT_THAT(fit({dark}).out, ::testing::Not(HasSubstr("light")));
 }
 

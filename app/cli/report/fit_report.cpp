@@ -61,8 +61,8 @@ nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit, const std
                       {"remarks", fit.remarks},
                       {"seconds", fit.seconds}};
   if (light) {
-    json["before"]["light"] = light->before;
-    json["after"]["light"] = light->after;
+    json["before"]["lightError"] = light->before;
+    json["after"]["lightError"] = light->after;
   }
   return json;
 }
