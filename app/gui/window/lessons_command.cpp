@@ -94,8 +94,8 @@ nlohmann::ordered_json listJson(const LessonList& list) {
 }
 
 std::string padded(const std::string& name) {
-  constexpr std::size_t kWidth = 22;
-  return name + std::string(kWidth - std::min(name.size(), kWidth), ' ');
+  constexpr std::size_t kColumn = 22;
+  return name + std::string(kColumn - std::min(name.size(), kColumn), ' ');
 }
 
 void printList(const LessonList& list, const std::string& folder) {
