@@ -464,8 +464,9 @@ class Checker {
           sentence(": error %.3f -> %.3f, %s", best.error, errors->error, missed ? "it stays" : "left out"));
       if (missed) {
         placement_.probes.insert(placement_.probes.begin() + static_cast<std::ptrdiff_t>(i), candidate);
-        placement_.probes[i].reason +=
-            sentence("; it lowers the error of pictures by %.3f", errors->error - best.error);
+        const double gain = errors->error - best.error;
+        placement_.probes[i].reason += gain > 0.0005 ? sentence("; without it pictures are off by %.3f more", gain)
+                                                     : "; pictures are as right without it";
       } else {
         best = *errors;
         bestSquares_ = roomSquares_;

@@ -62,8 +62,9 @@ TEST_F(LiveLinkTest, AnEditStandsInTheFileAndMapsFollow) {
   EXPECT_GT(link.revision(), before);
   // With all maps in the end, without another edit.
   ASSERT_TRUE(QTest::qWaitFor([&] { return extension()["probes"][0].contains("map"); }, 300000));
-  const int ended = link.revision();
   link.stop();
+  QTest::qWait(500);  // what was under way is written to its end
+  const int ended = link.revision();
   document().commit("Move it back", [&](Scene& scene) { scene.probes[0].box.max = probe.box.max; });
   emit window_->editor().settled();
   QTest::qWait(500);

@@ -54,7 +54,7 @@ Viewport::Viewport(QWidget* parent)
   interactor()->SetInteractorStyle(nullptr);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
-  setMinimumSize(320, 240);
+  setMinimumSize(280, 240);  // beside outliner and panels in 1024 pixels
   for (QLabel* label : {readout_, invitation_}) {
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
     label->setStyleSheet(

@@ -107,6 +107,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   QMenu* help = window->menuBar()->addMenu(tr("Hel&p"));
   view_->addAction(add(help, tr("&Lessons..."), QKeySequence("F1"), &MenuBar::lessonsRequested));
   keys_ = addToggle(help, tr("&Keys over the picture"), QKeySequence("?"), &MenuBar::keysSwitched);
+  keys_->setShortcuts({QKeySequence("?"), QKeySequence("Shift+?")});  // where the layout has it above another letter
   keys_->setChecked(false);
   add(help, tr("&Mouse and keys, about"), QKeySequence("Shift+F1"), &MenuBar::aboutRequested);
 }
