@@ -88,7 +88,7 @@ std::string roomOfLamps(const TemporaryFolder& folder, const std::vector<double>
       {"model", "walls.obj"},
       {"probes",
        {{{"name", "p"}, {"origin", {0.4, 1.3, 0.9}}, {"box", {{"min", {-3.0, 0.0, -2.0}}, {"max", {6.5, 2.5, 5.0}}}}}}},
-      {"cameras", {{{"name", "c"}, {"position", {-2.0, 1.6, -1.0}}, {"target", {3.0, 0.4, 3.0}}}}}};
+      {"cameras", {{"c", {{"position", {-2.0, 1.6, -1.0}}, {"target", {3.0, 0.4, 3.0}}}}}}};
   return folder.write("walls.boxprobe.json", scene.dump());
 }
 
