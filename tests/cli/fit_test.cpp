@@ -63,7 +63,7 @@ TEST(Fit, LowersTheErrorOfBoxesSetByHand) {
   }
 }
 
-/// A box room of lamps: each wall is one, of its own brightness. The probe's box is 2.5 m too long at +x.
+/// A box room of lamps: each wall is one, of its own brightness. The probe's box is 3 m too short at +x.
 std::string roomOfLamps(const TemporaryFolder& folder, const std::vector<double>& brightness) {
   const double x[] = {-3.0, 4.0}, y[] = {0.0, 2.5}, z[] = {-2.0, 5.0};
   std::string obj = "mtllib walls.mtl\n", mtl;
@@ -75,7 +75,7 @@ std::string roomOfLamps(const TemporaryFolder& folder, const std::vector<double>
   const int walls[6][4] = {{1, 3, 7, 5}, {2, 6, 8, 4}, {1, 5, 6, 2}, {3, 4, 8, 7}, {1, 2, 4, 3}, {5, 7, 8, 6}};
   for (std::size_t wall = 0; wall < 6; ++wall) {
     const std::string name = "wall" + std::to_string(wall), light = std::to_string(brightness[wall]);
-    mtl += "newmtl " + name + "\nKd 0 0 0\nKe " + light + " " + light + " " + light + "\nPr 0.1\nPm 0\n";
+    mtl += "newmtl " + name + "\nKd 0 0 0\nKe " + light + " " + light + " " + light + "\nPr 1\nPm 0\n";
     obj += "usemtl " + name + "\nf";
     for (const int corner : walls[wall]) obj += " " + std::to_string(corner);
     obj += "\n";
@@ -87,7 +87,7 @@ std::string roomOfLamps(const TemporaryFolder& folder, const std::vector<double>
       {"version", 1},
       {"model", "walls.obj"},
       {"probes",
-       {{{"name", "p"}, {"origin", {0.4, 1.3, 0.9}}, {"box", {{"min", {-3.0, 0.0, -2.0}}, {"max", {6.5, 2.5, 5.0}}}}}}},
+       {{{"name", "p"}, {"origin", {0.4, 1.3, 0.9}}, {"box", {{"min", {-3.0, 0.0, -2.0}}, {"max", {1.0, 2.5, 5.0}}}}}}},
       {"cameras", {{"c", {{"position", {-2.0, 1.6, -1.0}}, {"target", {3.0, 0.4, 3.0}}}}}}};
   return folder.write("walls.boxprobe.json", scene.dump());
 }
@@ -104,11 +104,11 @@ TEST(Fit, SaysWhatEachFaceGainsOfTheLight) {
   for (const char* face : {"-x", "-y", "+y", "-z", "+z"}) {
     EXPECT_NEAR(bright["faces"][face]["gainLight"].get<double>(), 0.0, 0.01) << face;
   }
-  // All walls alike: however wrong the lookup, what it finds is right.
+  // All walls alike, and rough: however wrong the lookup, what it finds is right, but for the little that they mirror.
   const json even = fitted({roomOfLamps(folder, {0.6, 0.6, 0.6, 0.6, 0.6, 0.6})})["probes"][0];
   EXPECT_GT(even["before"]["meanDegrees"], 1.0);
-  EXPECT_NEAR(even["before"]["lightError"].get<double>(), 0.0, 1e-4);
-  EXPECT_NEAR(even["faces"]["+x"]["gainLight"].get<double>(), 0.0, 1e-4);
+  EXPECT_NEAR(even["before"]["lightError"].get<double>(), 0.0, 0.02);
+  EXPECT_NEAR(even["faces"]["+x"]["gainLight"].get<double>(), 0.0, 0.02);
   // Without light there is nothing to say.
   const std::string dark = roomOfLamps(folder, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
   EXPECT_FALSE(fitted({dark})["probes"][0]["before"].contains("lightError"));
