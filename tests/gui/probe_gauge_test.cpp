@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -28,6 +29,9 @@ class ProbeGaugeTest : public WindowTest {
  protected:
   void SetUp() override {
     WindowTest::SetUp();
+    // As at a first start: the handles of four faces are in view.
+    window_->resizeDocks({window_->findChild<QDockWidget*>("outliner")}, {230}, Qt::Horizontal);
+    waitUntilIdle();
     right_ = loadSceneFile(BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json").probes.front();
     window_->editor().commitProbe("Set box", [this](Probe& probe) {
       probe.origin = right_.origin;

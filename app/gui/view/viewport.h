@@ -25,6 +25,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
  public:
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
+  /// Wider than the least, which is for small windows alone.
+  QSize sizeHint() const override { return {320, 240}; }
 
   vtkGenericOpenGLRenderWindow* window3d() const;
   /// `meet`: where a ray meets a surface; `bounds`: of the scene.
