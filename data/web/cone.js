@@ -4,19 +4,11 @@
 // the integral over the cone. Metres; x along the floor to the wall, y up, z across. Levels as in app/lessons: alpha = p^2 = (2^l - 1) / 63.
 'use strict';
 (() => {
-  const SVG = 'http://www.w3.org/2000/svg', WALL = 4, LAST = 6, TEXELS = 256, ELEVATION = 25 * Math.PI / 180, RINGS = 24, AROUND = 48;
+  const { element, takeHold } = boxprobeDrawing, WALL = 4, LAST = 6, TEXELS = 256, ELEVATION = 25 * Math.PI / 180, RINGS = 24, AROUND = 48;
   const clamp = (v, low, high) => Math.min(Math.max(v, low), high);
   const levelOf = (alpha) => clamp(Math.log2(1 + 63 * clamp(alpha, 0, 1)), 0, LAST);
   /** Of the lobe that holds half of the projected area of its microfacets: a ray turns by twice the tilt, whose tangent is alpha. */
   const coneAngle = (alpha) => 2 * Math.atan(alpha);
-
-  function element(name, attributes, parent, text) {
-    const made = parent instanceof SVGElement || name === 'svg' ? document.createElementNS(SVG, name) : document.createElement(name);
-    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-    if (text !== undefined) made.textContent = text;
-    if (parent) parent.append(made);
-    return made;
-  }
 
   /** All that is drawn, for P at `away` metres from the wall. */
   function numbers({ away, origin, roughness }) {
@@ -105,30 +97,11 @@
       element('circle', { r: 20, class: 'grip' }, g);
       element('circle', { r: 8 }, g);
       element('text', { x: -20, y: -9, class: name === 'C' ? 'lookup' : 'reflected' }, g, name);
-      let offset = null;
-      g.addEventListener('pointerdown', (event) => {
-        if (event.button !== 0) return;
-        event.preventDefault();
-        g.setPointerCapture(event.pointerId);
-        g.focus({ preventScroll: true });
-        const at = this.at(svg, event), here = this.pixel(read(this.state));
-        offset = [here[0] - at[0], here[1] - at[1]];
-      });
-      g.addEventListener('pointermove', (event) => {
-        if (!offset) return;
-        const at = this.at(svg, event);
-        write(this.state, this.space([at[0] + offset[0], at[1] + offset[1]]));
+      const move = (pixel) => {
+        write(this.state, this.space(pixel));
         this.draw();
-      });
-      for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) g.addEventListener(end, () => { offset = null; });
-      g.addEventListener('keydown', (event) => {
-        const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-        if (!way) return;
-        event.preventDefault();
-        const at = read(this.state), far = event.shiftKey ? 0.5 : 0.05;
-        write(this.state, [at[0] + far * way[0], at[1] + far * way[1]]);
-        this.draw();
-      });
+      };
+      takeHold(svg, g, { here: () => this.pixel(read(this.state)), move, far: (event) => 108 * (event.shiftKey ? 0.5 : 0.05) });
       return { g, read };
     }
 

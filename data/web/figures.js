@@ -9,7 +9,7 @@
 // Lengths are scene units, in the world. The mathematics is that of data/web/plan.js; tests/outside/page holds both to the compiled one.
 'use strict';
 (() => {
-  const NO_HIT = 3.0e38, SVG = 'http://www.w3.org/2000/svg';
+  const { element, takeHold, slabFactor } = boxprobeDrawing;
   const add = (a, b) => a.map((v, i) => v + b[i]), sub = (a, b) => a.map((v, i) => v - b[i]), scaled = (a, s) => a.map((v) => v * s);
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2], length = (a) => Math.sqrt(dot(a, a)), unit = (a) => scaled(a, 1 / length(a));
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -17,10 +17,6 @@
   const degrees = (a, b) => Math.atan2(length(cross(a, b)), dot(a, b)) * 180 / Math.PI;
   const still = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 
-  function slabFactor(position, direction, low, high) {
-    const gap = Math.max(direction < 0 ? position - low : high - position, 0), speed = Math.abs(direction);
-    return speed * NO_HIT > gap ? gap / speed : NO_HIT;
-  }
   const exit = (p, r, box) => {
     const d = Math.min(...p.map((v, i) => slabFactor(v, r[i], box.min[i], box.max[i])));
     return { d, at: p.map((v, i) => clamp(v + d * r[i], box.min[i], box.max[i])) };
@@ -33,14 +29,6 @@
     const hit = box ? exit(position, reflection, box) : null;
     const lookup = hit ? sub(hit.at, origin) : reflection;
     return { view, reflection, truth, seen, lookup, hit: hit && hit.at, distance: hit ? hit.d : Infinity, errorDegrees: degrees(lookup, seen) };
-  }
-
-  function element(name, attributes, parent, text) {
-    const made = parent instanceof SVGElement || name === 'svg' ? document.createElementNS(SVG, name) : document.createElement(name);
-    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-    if (text !== undefined) made.textContent = text;
-    if (parent) parent.append(made);
-    return made;
   }
 
   function arrow(svg, from, to, kind, head = true) {
@@ -341,11 +329,6 @@
       element('circle', { r: 22, class: 'grip' }, g);
       element('circle', { r: 8 }, g);
       element('text', { x: 13, y: -9, class: key === 'eye' ? 'view' : 'lookup' }, g, key === 'eye' ? 'eye' : 'C');
-      let offset = null;
-      const place = (event) => {
-        const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(view.svg.getScreenCTM().inverse());
-        return [point.x, point.y];
-      };
       const move = (pixel) => {
         const p = this.state[key], { min, max } = this.room;
         p[0] = clamp(min[0] + pixel[0] / this.scale, min[0], max[0]);
@@ -353,27 +336,7 @@
         else p[1] = clamp(min[1] + (this.height - pixel[1]) / this.scale, key === 'eye' ? min[1] + 0.05 : 2 * min[1] - max[1], max[1]);
         this.redraw();
       };
-      g.addEventListener('pointerdown', (event) => {
-        if (event.button !== 0) return;
-        event.preventDefault();
-        g.setPointerCapture(event.pointerId);
-        g.focus({ preventScroll: true });
-        const at = place(event), here = this.pixel(view.name, this.state[key]);
-        offset = [here[0] - at[0], here[1] - at[1]];
-      });
-      g.addEventListener('pointermove', (event) => {
-        if (!offset) return;
-        const at = place(event);
-        move([at[0] + offset[0], at[1] + offset[1]]);
-      });
-      for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) g.addEventListener(end, () => { offset = null; });
-      g.addEventListener('keydown', (event) => {
-        const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
-        if (!way) return;
-        event.preventDefault();
-        const far = this.scale * (event.shiftKey ? 0.5 : 0.05), here = this.pixel(view.name, this.state[key]);
-        move([here[0] + far * way[0], here[1] + far * way[1]]);
-      });
+      takeHold(view.svg, g, { here: () => this.pixel(view.name, this.state[key]), move, far: (event) => this.scale * (event.shiftKey ? 0.5 : 0.05) });
       return { g, key };
     }
 

@@ -4,7 +4,7 @@
 // shaders/shared/slab.glsl and finite.glsl; tests/outside/page holds them to the compiled ones.
 'use strict';
 (() => {
-  const NO_HIT = 3.0e38, AXES = 'xyz', SVG = 'http://www.w3.org/2000/svg';
+  const { element, takeHold, slabFactor } = boxprobeDrawing, AXES = 'xyz';
   const add = (a, b) => a.map((v, i) => v + b[i]), sub = (a, b) => a.map((v, i) => v - b[i]);
   const scaled = (a, s) => a.map((v) => v * s), dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const length = (a) => Math.sqrt(dot(a, a));
@@ -12,11 +12,6 @@
   const clamp = (v, low, high) => Math.min(Math.max(v, low), high);
   const degreesBetween = (a, b) => Math.acos(clamp(dot(unit(a), unit(b)), -1, 1)) * 180 / Math.PI;
 
-  // How far along the direction the wall of one axis is; 0 for a start beyond it.
-  function slabFactor(position, direction, low, high) {
-    const gap = Math.max(direction < 0 ? position - low : high - position, 0), speed = Math.abs(direction);
-    return speed * NO_HIT > gap ? gap / speed : NO_HIT;
-  }
   const slabFactors = (p, r, box) => p.map((v, i) => slabFactor(v, r[i], box.min[i], box.max[i]));
   const exit = (p, r, box) => {
     const t = slabFactors(p, r, box), d = Math.min(...t);
@@ -45,14 +40,6 @@
     front: { title: 'Elevation, from the front', right: [0, 1], up: [1, 1] },
     side: { title: 'Elevation, from the side', right: [2, -1], up: [1, 1] },
   };
-
-  function element(name, attributes, parent, text) {
-    const made = name === 'svg' || parent instanceof SVGElement ? document.createElementNS(SVG, name) : document.createElement(name);
-    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-    if (text !== undefined) made.textContent = text;
-    if (parent) parent.append(made);
-    return made;
-  }
 
   /** Text in which "_x" is a subscript, within HTML or SVG. */
   function subscripted(parent, text) {
@@ -118,33 +105,8 @@
       const wall = kind.startsWith('wall');
       if (wall) element('rect', kind === 'wall-across' ? { x: -4, y: -11, width: 8, height: 22, rx: 3 } : { x: -11, y: -4, width: 22, height: 8, rx: 3 }, g);
       else element('circle', { r: 7 }, g);
-      let offset = null;
-      const place = (event) => {
-        const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
-        return [point.x, point.y];
-      };
       const move = (pixel) => this.changed((s) => write(s, this.space([clamp(pixel[0], 4, WIDTH - 4), clamp(pixel[1], 4, this.height - 4)], read(s))));
-      g.addEventListener('pointerdown', (event) => {
-        if (event.button !== 0) return;
-        event.preventDefault();
-        g.setPointerCapture(event.pointerId);
-        g.focus({ preventScroll: true });
-        const at = place(event), here = this.pixel(read(this.state));
-        offset = [here[0] - at[0], here[1] - at[1]];
-      });
-      g.addEventListener('pointermove', (event) => {
-        if (!offset) return;
-        const at = place(event);
-        move([at[0] + offset[0], at[1] + offset[1]]);
-      });
-      for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) g.addEventListener(end, () => { offset = null; });
-      g.addEventListener('keydown', (event) => {
-        const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
-        if (!way) return;
-        event.preventDefault();
-        const far = this.scale * STEP * (event.shiftKey ? 10 : 1), here = this.pixel(read(this.state));
-        move([here[0] + far * way[0], here[1] + far * way[1]]);
-      });
+      takeHold(this.svg, g, { here: () => this.pixel(read(this.state)), move, far: (event) => this.scale * STEP * (event.shiftKey ? 10 : 1) });
       this.handles.set(id, { g, read });
     }
 

@@ -359,6 +359,7 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
   text += sourcesHtml(sources) +
           "</main>\n<footer><p>Lessons, pictures and scripts of this page: Boxprobe " BOXPROBE_VERSION
           ", BSD 3-Clause License, copyright 2026 Boxprobe contributors.</p></footer>\n";
+  text += script("drawing.js");
   if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js");
   return text + script("cone.js") + script("plan.js") + script("task.js") + script("page.js") + "</body></html>\n";
 }
