@@ -18,3 +18,6 @@ bool bpIsCut(vec3 positionView)
   float leaves = min(min(far.x, far.y), far.z);
   return enters >= 1.0 && enters <= leaves;  // the fragment is at 1
 }
+
+// First in main().
+#define BP_CUT if (bpIsCut(vertexVCVSOutput.xyz)) discard;

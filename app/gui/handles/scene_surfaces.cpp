@@ -33,46 +33,53 @@ std::optional<double> meetTriangle(const glm::dvec3& origin, const glm::dvec3& d
 
 void SceneSurfaces::setModels(const TriangleRays::Models& models) {
   models_ = models;
-  rays_.reset();
-  failed_ = false;
+  forget();
 }
 
 void SceneSurfaces::documentChanged(const Changes& changes) {
-  if (!changes.models && !changes.objects) return;
-  rays_.reset();
-  failed_ = false;
+  if (changes.models || changes.objects) forget();
+}
+
+void SceneSurfaces::setView(PassedParts passed) {
+  if (passed.hidden != passed_.hidden) shown_ = {};
+  passed_ = std::move(passed);
+}
+
+void SceneSurfaces::forget() {
+  whole_ = {};
+  shown_ = {};
 }
 
 const SurfaceRays* SceneSurfaces::rays() {
+  return traced(whole_, {});
+}
+
+const SurfaceRays* SceneSurfaces::traced(Traced& of, const std::set<std::string>& hidden) const {
   // Between two scenes the models may already be the next one's.
   if (models_.size() != document_.scene().models.size()) return nullptr;
-  if (!rays_ && !failed_ && !models_.empty()) {
+  if (!of.rays && !of.failed && !models_.empty()) {
     try {
-      rays_ = std::make_unique<TriangleRays>(document_.scene(), models_);
+      of.rays = std::make_unique<TriangleRays>(document_.scene(), models_, SeenBy::Eyes,
+                                               std::vector<std::string>(hidden.begin(), hidden.end()));
     } catch (const Error&) {
-      failed_ = true;
+      of.failed = true;
     }
   }
-  return rays_ && !rays_->empty() ? rays_.get() : nullptr;
+  return of.rays && !of.rays->empty() ? of.rays.get() : nullptr;
 }
 
 // One ray against every triangle: a click is rare, and takes some ten milliseconds at a million of them.
-std::optional<PickedObject> SceneSurfaces::objectAt(const Ray& ray) const {
-  const auto hit = firstOf(behindCut(ray), false);
-  return hit ? std::optional<PickedObject>(hit->object) : std::nullopt;
-}
-
-std::optional<SceneSurfaces::Hit> SceneSurfaces::firstOf(const Ray& ray, bool lockedToo) const {
+std::optional<PickedObject> SceneSurfaces::objectAt(const Ray& given) const {
+  const Ray ray = behindCut(given);
   const Scene& scene = document_.scene();
-  std::optional<Hit> picked;
+  std::optional<PickedObject> picked;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < models_.size() && i < scene.models.size(); ++i) {
     const Model& model = *models_[i];
     for (const Instance& instance : model.instances) {
       const auto object = scene.objects.find(instance.node);
       if (object != scene.objects.end() && !object->second.visible) continue;
-      if (passed_.hidden.count(instance.node) > 0) continue;
-      if (!lockedToo && passed_.locked.count(instance.node) > 0) continue;
+      if (passed_.hidden.count(instance.node) > 0 || passed_.locked.count(instance.node) > 0) continue;
       const glm::dmat4 place =
           movedInstance(worldFromFile(scene.models[i]) * instance.worldFromModel, scene, instance.node);
       const glm::dmat4 back = glm::inverse(place);
@@ -84,8 +91,7 @@ std::optional<SceneSurfaces::Hit> SceneSurfaces::firstOf(const Ray& ray, bool lo
         if (!t || *t >= nearest) continue;
         nearest = *t;
         const bool own = mesh.material >= 0;
-        picked = Hit{
-            *t, {instance.node, own ? model.materials[static_cast<std::size_t>(mesh.material)].name : std::string()}};
+        picked = {instance.node, own ? model.materials[static_cast<std::size_t>(mesh.material)].name : std::string()};
       }
     }
   }
@@ -98,7 +104,7 @@ Ray SceneSurfaces::behindCut(const Ray& ray) const {
   const CutBox& cut = *passed_.cutaway;
   const glm::dmat3 boxFromWorld = glm::transpose(rotationMatrix(cut.rotationDegrees));
   const glm::dvec3 from = boxFromWorld * (ray.origin - cut.box.center()), along = boxFromWorld * ray.direction;
-  const glm::dvec3 half = 0.5 * cut.box.size();
+  const glm::dvec3 half = cut.halfSize();
   double enters = -std::numeric_limits<double>::infinity(), leaves = -enters;
   for (int axis = 0; axis < 3; ++axis) {
     if (along[axis] == 0.0) {
@@ -110,17 +116,12 @@ Ray SceneSurfaces::behindCut(const Ray& ray) const {
     leaves = std::min(leaves, std::max(a, b));
   }
   if (enters <= 0.0 || enters > leaves) return ray;
-  constexpr double kWall = 1.01;  // a fitted box lies on its walls
-  return {ray.origin + kWall * enters * ray.direction, ray.direction};
+  return {ray.origin + enters * ray.direction, ray.direction};
 }
 
 std::optional<glm::dvec3> SceneSurfaces::meet(const Ray& given) {
   const Ray ray = behindCut(given);
-  if (!passed_.hidden.empty()) {
-    const auto hit = firstOf(ray, true);
-    return hit ? std::optional<glm::dvec3>(ray.origin + hit->distance * ray.direction) : std::nullopt;
-  }
-  const SurfaceRays* surfaces = rays();
+  const SurfaceRays* surfaces = passed_.hidden.empty() ? rays() : traced(shown_, passed_.hidden);
   const auto hit = surfaces != nullptr ? surfaces->first(ray.origin, ray.direction) : std::nullopt;
   if (!hit) return std::nullopt;
   return ray.origin + hit->distance * ray.direction;

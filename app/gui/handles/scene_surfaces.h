@@ -36,25 +36,26 @@ class SceneSurfaces {
   void documentChanged(const Changes& changes);
   /// Null where there is nothing to meet.
   const SurfaceRays* rays();
-  void setView(PassedParts passed) { passed_ = std::move(passed); }
-  /// World; nothing where the ray goes into the sky. Of what the window shows.
+  void setView(PassedParts passed);
+  /// World; nothing where the ray goes into the sky. Of what the window shows, without glass.
   std::optional<glm::dvec3> meet(const Ray& ray);
   /// Of the first visible surface that is not locked, glass included; nothing where the ray goes into the sky.
   std::optional<PickedObject> objectAt(const Ray& ray) const;
 
  private:
-  struct Hit {
-    double distance = 0.0;  ///< in lengths of the direction
-    PickedObject object;
+  struct Traced {
+    std::unique_ptr<TriangleRays> rays;
+    bool failed = false;  ///< the ray tracer could not take it: not tried again before something changes
   };
-  std::optional<Hit> firstOf(const Ray& ray, bool lockedToo) const;
+  const SurfaceRays* traced(Traced& of, const std::set<std::string>& hidden) const;
+  void forget();
   Ray behindCut(const Ray& ray) const;
 
   PassedParts passed_;
   const Document& document_;
   TriangleRays::Models models_;
-  std::unique_ptr<TriangleRays> rays_;
-  bool failed_ = false;  ///< the ray tracer could not take it: not tried again before something changes
+  Traced whole_;
+  Traced shown_;  ///< without what is hidden
 };
 
 }  // namespace boxprobe

@@ -1,7 +1,8 @@
-// What the window's own frames leave out of the scene, and what they mark. Captures, linear pictures, explanations,
-// mirrors and shadows show everything.
+// What the window's own frames leave out of the scene, and what they mark; explanations are of those frames. Captures,
+// linear pictures, mirrors and shadows show everything.
 #pragma once
 
+#include <glm/common.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,10 +11,15 @@
 
 namespace boxprobe {
 
+/// A fitted box lies on its walls: this share of its half size counts as wall on each side.
+constexpr double kCutWallShare = 0.02;
+
 /// What stands between the eye and this box is not drawn, where the box would be seen.
 struct CutBox {
   Box box;                          ///< see Box
   glm::dvec3 rotationDegrees{0.0};  ///< about its centre, as a probe's
+  /// Where the box begins for the cut. Never zero.
+  glm::dvec3 halfSize() const { return glm::max((1.0 - kCutWallShare) * 0.5 * box.size(), glm::dvec3(1.0e-6)); }
   bool operator==(const CutBox& o) const { return box == o.box && rotationDegrees == o.rotationDegrees; }
 };
 

@@ -1,6 +1,8 @@
+// See object_outline.h.
 #include "filters/vtk/inspect/object_outline.h"
 
 #include <vtkActor.h>
+#include <vtkDataObject.h>
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -40,9 +42,24 @@ void ObjectOutline::build() {
   layer_->SetPass(glow);
 }
 
+void ObjectOutline::place(vtkActor* piece, vtkActor* twin) {
+  vtkMatrix4x4* to = twin->GetUserMatrix();
+  vtkMatrix4x4* from = piece->GetUserMatrix();
+  from != nullptr ? to->DeepCopy(from) : to->Identity();
+}
+
 void ObjectOutline::show(const std::vector<vtkActor*>& pieces) {
   if (window_ == nullptr || scene_ == nullptr || (pieces.empty() && twins_.empty())) return;
   if (layer_ == nullptr) build();
+  const bool same = pieces.size() == pieces_.size() &&
+                    std::equal(pieces.begin(), pieces.end(), pieces_.begin(), [](auto* a, auto& b) {
+                      return a == b.actor && a->GetMapper()->GetInputDataObject(0, 0) == b.data;
+                    });
+  if (same) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) place(pieces[i], twins_[i]);
+    return;
+  }
+  pieces_.clear();
   for (const auto& twin : twins_) layer_->RemoveActor(twin);
   twins_.clear();
   for (vtkActor* piece : pieces) {
@@ -51,14 +68,15 @@ void ObjectOutline::show(const std::vector<vtkActor*>& pieces) {
     mapper->SetInputDataObject(piece->GetMapper()->GetInputDataObject(0, 0));
     mapper->ScalarVisibilityOff();
     twin->SetMapper(mapper);
-    vtkNew<vtkMatrix4x4> place;  // the piece's own changes when it is moved
-    if (piece->GetUserMatrix() != nullptr) place->DeepCopy(piece->GetUserMatrix());
-    twin->SetUserMatrix(place);
+    vtkNew<vtkMatrix4x4> matrix;  // the piece's own changes when it is moved
+    twin->SetUserMatrix(matrix);
+    place(piece, twin);
     twin->GetProperty()->LightingOff();
     twin->GetProperty()->SetColor(kColor[0], kColor[1], kColor[2]);
     twin->PickableOff();
     layer_->AddActor(twin);
     twins_.push_back(twin);
+    pieces_.push_back({piece, piece->GetMapper()->GetInputDataObject(0, 0)});
   }
   layer_->SetActiveCamera(scene_->GetActiveCamera());  // depths are not compared, but places are the same
   if (twins_.empty()) {

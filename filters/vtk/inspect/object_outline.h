@@ -7,6 +7,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkDataObject;
 class vtkRenderWindow;
 class vtkRenderer;
 
@@ -25,12 +26,18 @@ class ObjectOutline {
   void release();
 
  private:
+  struct Piece {
+    vtkWeakPointer<vtkActor> actor;
+    vtkWeakPointer<vtkDataObject> data;
+  };
   void build();
+  static void place(vtkActor* piece, vtkActor* twin);
 
   vtkWeakPointer<vtkRenderWindow> window_;
   vtkWeakPointer<vtkRenderer> scene_;
   vtkSmartPointer<vtkRenderer> layer_;  ///< null until first used
   std::vector<vtkSmartPointer<vtkActor>> twins_;
+  std::vector<Piece> pieces_;  ///< what the twins are of
 };
 
 }  // namespace boxprobe

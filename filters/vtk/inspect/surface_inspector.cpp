@@ -17,7 +17,7 @@
 
 namespace boxprobe {
 
-// What a pixel shows is explained: not what the window leaves out.
+// What a pixel shows is explained: not what the window hides or cuts away.
 static bool inView(const DrawnObject& object) {
   return object.settings.visible && !object.pass->GetHiddenInView();
 }
@@ -35,6 +35,7 @@ vtkProp* SurfaceInspector::twinOf(std::size_t index) {
     twin->GetPass()->SetObjectNumber(static_cast<int>(index) + 1);
   }
   twin->SetUserMatrix(object.actor->GetUserMatrix());
+  twin->GetPass()->SetCut(state_->cut.has_value());
   twin->GetPass()->SetBinding(object.pass->GetSharedBinding());
   twin->GetPass()->SetMirror(object.pass->GetMirror());
   return twin;

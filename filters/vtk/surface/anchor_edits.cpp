@@ -34,6 +34,12 @@ int AnchorEdits::replaceAny(std::string& text, const std::string& what, const st
   return found;
 }
 
+void AnchorEdits::insertAtMain(std::string& text, const std::string& what, const std::string& declarations,
+                               const std::string& first) {
+  constexpr const char* kMain = "void main()\n{";
+  replace(text, what, {{kMain, declarations + kMain + first}});
+}
+
 void AnchorEdits::fail(const std::string& what, const std::string& sought, int found, int wanted) {
   std::string line = sought;
   for (char& c : line) c = c == '\n' ? ' ' : c;

@@ -25,6 +25,9 @@ class AnchorEdits {
   void replace(std::string& text, const std::string& what, const std::vector<Wording>& wordings, int wanted = 1);
   /// The same for any number of matches; returns their number.
   int replaceAny(std::string& text, const std::string& what, const std::vector<Wording>& wordings);
+  /// Puts `declarations` before main(), and `first` where its body begins.
+  void insertAtMain(std::string& text, const std::string& what, const std::string& declarations,
+                    const std::string& first = {});
   /// Reports a failure that was found without an edit.
   void fail(const std::string& what, const std::string& sought, int found, int wanted);
 

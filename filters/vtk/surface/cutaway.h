@@ -11,8 +11,10 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
+class AnchorEdits;
+
 /// Adds the test to a spliced fragment shader.
-void addCutaway(std::string& fragment);
+void addCutaway(std::string& fragment, AnchorEdits& edits);
 /// `cut` null: nothing is cut, as in captures.
 void uploadCutaway(vtkShaderProgram* program, vtkRenderer* renderer, const CutBox* cut);
 

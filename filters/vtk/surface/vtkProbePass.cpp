@@ -23,6 +23,7 @@
 #include "filters/vtk/draw/probe_lamps.h"
 #include "filters/vtk/gl/broken_shader.h"
 #include "filters/vtk/gl/program_check.h"
+#include "filters/vtk/surface/anchor_edits.h"
 #include "filters/vtk/surface/cutaway.h"
 #include "filters/vtk/surface/probe_uniforms.h"
 #include "filters/vtk/surface/vtk_pbr_splice.h"
@@ -67,17 +68,18 @@ constexpr const char* kLightOfDisplay = R"(
   }
 )";
 
-void captureAsLight(std::string& fragment, boxprobe::Tone tone) {
-  const std::size_t main = fragment.find("void main()");
-  const std::size_t end = fragment.rfind('}');
-  if (main == std::string::npos || end == std::string::npos || end < main) {
-    return;
-  }
+/// Returns the failure, or nothing.
+std::string captureAsLight(std::string& fragment, boxprobe::Tone tone) {
   const bool asVtk = tone == boxprobe::Tone::AsVtk;
-  fragment.insert(end, kLightOfDisplay);
-  fragment.insert(main, std::string("uniform float bpLightOfDisplay;\n#define BP_DECODED ") +
-                            (asVtk ? "pow(bpShown, vec3(2.2))\n" : "srgbDecoded(bpShown)\n") +
-                            std::string(boxprobe::shaderSource("shared/display.glsl")));
+  boxprobe::AnchorEdits edits;
+  edits.insertAtMain(fragment, "light of display colours",
+                     std::string("uniform float bpLightOfDisplay;\n#define BP_DECODED ") +
+                         (asVtk ? "pow(bpShown, vec3(2.2))\n" : "srgbDecoded(bpShown)\n") +
+                         std::string(boxprobe::shaderSource("shared/display.glsl")));
+  if (edits.failure().empty()) {
+    fragment.insert(fragment.rfind('}'), kLightOfDisplay);
+  }
+  return boxprobe::spliceFailure(edits);
 }
 
 int countOfPasses(vtkInformation* keys) {
@@ -386,7 +388,9 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
   }
   boxprobe::removeParts(sources.fragment, this->Asked.leftOut);
   if (this->Asked.cut) {
-    boxprobe::addCutaway(sources.fragment);
+    boxprobe::AnchorEdits edits;
+    boxprobe::addCutaway(sources.fragment, edits);
+    this->State->counts.fail(boxprobe::spliceFailure(edits));
   }
   return true;
 }
@@ -466,7 +470,7 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
   }
   vtkProperty* property = actor->GetProperty();
   if (property->GetInterpolation() != VTK_PBR || !property->GetLighting()) {
-    captureAsLight(fragment, this->State->resources.tone);
+    this->State->counts.fail(captureAsLight(fragment, this->State->resources.tone));
     return true;
   }
   const bool polygons = drawsPolygonsAlone(mapper, actor);
@@ -481,7 +485,7 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
   const bool lit = polygons && light;
   boxprobe::ShaderSources sources{vertex, geometry, fragment};
   if (!this->Splice(sources, actor, lit)) {
-    captureAsLight(fragment, this->State->resources.tone);
+    this->State->counts.fail(captureAsLight(fragment, this->State->resources.tone));
     return true;
   }
   bool compiles = this->Compiles(sources, mapper, actor);
@@ -534,7 +538,8 @@ void vtkProbePass::Upload(vtkShaderProgram* program, const double* boundsWorld) 
   const boxprobe::UniformUpload to{program, state.drawing, state.bound, boundsWorld};
   boxprobe::uploadOutput(to, state.pass());
   if (this->Asked.cut) {
-    const bool inView = state.cut && state.drawing == state.shown.GetPointer();
+    const bool ofView = state.drawing == state.shown.GetPointer() || this->Asked.objectNumber > 0;
+    const bool inView = state.cut && ofView;
     boxprobe::uploadCutaway(program, state.drawing, inView ? &*state.cut : nullptr);
   }
   if (this->Surface) {

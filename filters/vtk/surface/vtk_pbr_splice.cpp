@@ -20,9 +20,6 @@ constexpr const char* kEdgesMark = "uniform vec3 edgeColor;";
 // Declared in all of VTK's physically based shaders.
 constexpr const char* kPhysicalMark = "uniform float metallicUniform;";
 
-// Declarations go after the mapper's expanded texture declarations, before its texture coordinates.
-constexpr const char* kDeclarations = "void main()\n{";
-
 void applyAnchors(std::string& text, const std::vector<Anchor>& anchors, bool coat, AnchorEdits& edits) {
   for (const Anchor& anchor : anchors) {
     if (anchor.coatOnly && !coat) continue;
@@ -117,10 +114,10 @@ void spliceVertices(ShaderSources& sources, const SurfaceMaterial& surface, Anch
     geometryDeclarations += "in " + type + " " + name + "V[];\nout " + type + " " + name + "F;\n";
     geometryCode += "  " + name + "F = " + name + "V[i];\n";
   }
-  edits.replace(sources.vertex, "vertex attributes", {{kDeclarations, declarations + kDeclarations + "\n" + code}});
+  edits.insertAtMain(sources.vertex, "vertex attributes", declarations, "\n" + code);
   if (!edges) return;
   constexpr const char* kEmit = "gl_PrimitiveID = gl_PrimitiveIDIn;";
-  edits.replace(sources.geometry, "geometry shader", {{kDeclarations, geometryDeclarations + kDeclarations}});
+  edits.insertAtMain(sources.geometry, "geometry shader", geometryDeclarations);
   edits.replace(sources.geometry, "vertices of the geometry shader", {{kEmit, kEmit + ("\n" + geometryCode)}});
 }
 
@@ -152,7 +149,8 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
   std::string& text = sources.fragment;
   const bool coat = text.find(kCoatMark) != std::string::npos;
   const DeclaredLights lights = declaredLights(text);
-  edits.replace(text, "declarations", {{kDeclarations, fragmentDeclarations(program) + "\n" + kDeclarations}});
+  // After the mapper's expanded texture declarations, before its texture coordinates.
+  edits.insertAtMain(text, "declarations", fragmentDeclarations(program) + "\n");
   applyAnchors(text, viewAndOutputAnchors(), coat, edits);
   if (program.emission) applyAnchors(text, emissionAnchors(), coat, edits);
   if (lights.positional) applyPositional(text, lights.count, program.foreign, edits);
@@ -191,6 +189,13 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
 
 }  // namespace
 
+std::string spliceFailure(const AnchorEdits& edits) {
+  if (edits.failure().empty()) return {};
+  return std::string("VTK ") + vtkVersion::GetVTKVersion() +
+         " writes a surface shader with words unknown here for: " + edits.failure() +
+         "; mend filters/vtk/surface/vtk_text_forms.cpp (see tests/vtk/README.md)";
+}
+
 SpliceReport splicePbr(ShaderSources& sources, const SurfaceProgram& program, bool lit) {
   ShaderSources spliced = sources;
   AnchorEdits edits;
@@ -205,13 +210,8 @@ SpliceReport splicePbr(ShaderSources& sources, const SurfaceProgram& program, bo
     edits.fail("physically based shading", kPbrMark, marks, 1);
   }
   report.anchors = edits.counts();
-  if (edits.failure().empty()) {
-    sources = std::move(spliced);
-  } else {
-    report.failure = std::string("VTK ") + vtkVersion::GetVTKVersion() +
-                     " writes a surface shader with words unknown here for: " + edits.failure() +
-                     "; mend filters/vtk/surface/vtk_text_forms.cpp (see tests/vtk/README.md)";
-  }
+  report.failure = spliceFailure(edits);
+  if (report.failure.empty()) sources = std::move(spliced);
   return report;
 }
 

@@ -24,6 +24,9 @@ struct SpliceReport {
   std::vector<AnchorCount> anchors;  ///< conversions of newer text first, then edits; up to the one that failed
 };
 
+/// One line about edits that failed; empty: none has.
+std::string spliceFailure(const AnchorEdits& edits);
+
 /// Edits the sources in place. If an anchor does not have the expected number of matches they are unchanged, and the
 /// report says so. `lit`: the object should have physically based shading with lights, so a program without it is a
 /// failure, too; otherwise such a program (lines, points, no light) needs no splice.
