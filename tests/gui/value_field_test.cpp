@@ -123,6 +123,25 @@ TEST_F(ValueFieldTest, OneSeparatorIsTheDecimalMarkInEveryLocale) {
   QLocale::setDefault(QLocale::c());
 }
 
+// The blend distance of unequal faces says "up to" before the largest.
+TEST_F(ValueFieldTest, ANumberIsTypedOverTheOneBehindAWord) {
+  window_->editor().commitProbe("Blend", [](Probe& probe) { probe.blendDistance.max.x = 0.66; });
+  waitUntilIdle();
+  auto* row = window_->findChild<QWidget*>("blendDistance");
+  ASSERT_NE(row, nullptr);
+  auto* all = row->findChild<ValueField*>(QString(), Qt::FindDirectChildrenOnly);
+  ASSERT_NE(all, nullptr);
+  ASSERT_EQ(all->text(), "up to 0.660 m");
+  type(all, "0.25");
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(probe().blendDistance.min[axis], 0.25);
+    EXPECT_EQ(probe().blendDistance.max[axis], 0.25);
+  }
+  EXPECT_EQ(all->text(), "0.250 m");
+  document().undo();
+  document().undo();
+}
+
 TEST_F(ValueFieldTest, TwoSeparatorsAreRefusedWithALine) {
   ValueField* x = window_->findChild<VectorRow*>("origin")->field(0);
   const double before = probe().origin.x;

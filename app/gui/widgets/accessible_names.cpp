@@ -32,9 +32,10 @@ bool isControl(const QWidget* widget) {
 
 /// Its first sentence, without markup.
 QString firstSentence(QString tip) {
-  tip.remove(QRegularExpression("<[^>]*>"));
+  static const QRegularExpression kMarkup("<[^>]*>"), kEnd("[.:;](\\s|$)");
+  tip.remove(kMarkup);
   tip = tip.section('\n', 0, 0);
-  const int end = tip.indexOf(QRegularExpression("[.:;](\\s|$)"));
+  const int end = tip.indexOf(kEnd);
   return (end > 0 ? tip.left(end) : tip).simplified();
 }
 

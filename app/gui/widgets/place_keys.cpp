@@ -25,10 +25,13 @@ int keyAt(const Row (&rows)[Count], quint32 code) {
   return 0;
 }
 
-/// Of a script other than Latin, whose last letter in a row of its own is U+024F.
+/// Of a script other than Latin.
 bool isForeignLetter(int key) {
-  constexpr int kLastLatin = 0x24f, kLastCharacter = 0xffff;
-  return key > kLastLatin && key <= kLastCharacter && QChar(static_cast<ushort>(key)).isLetter();
+  constexpr int kLastCharacter = 0xffff;
+  if (key <= 0 || key > kLastCharacter) return false;
+  const QChar letter(static_cast<ushort>(key));
+  // The micro sign and the ordinal indicators stand on Latin keyboards.
+  return letter.isLetter() && letter.script() != QChar::Script_Latin && letter.script() != QChar::Script_Common;
 }
 
 }  // namespace

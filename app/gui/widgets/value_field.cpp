@@ -42,9 +42,10 @@ QString ValueField::textFromValue(double value) const {
 
 QString ValueField::withoutUnit(const QString& text) const {
   QString number = text.trimmed();
-  const QString unit = suffix().trimmed();
+  const QString before = prefix().trimmed(), unit = suffix().trimmed();
+  if (!before.isEmpty() && number.startsWith(before)) number.remove(0, before.size());
   if (!unit.isEmpty() && number.endsWith(unit)) number.chop(unit.size());
-  return number;
+  return number.trimmed();
 }
 
 QValidator::State ValueField::validate(QString& text, int&) const {
