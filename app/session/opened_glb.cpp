@@ -83,4 +83,8 @@ std::string bakedFolderOf(const std::string& path) {
   return (fs::path(unpackedFolder(path)) / "probes").string();
 }
 
+std::string ownPathOf(const std::string& scenePath, const Scene& scene) {
+  return scenePath.empty() && !scene.models.empty() ? scene.models.front().file : scenePath;
+}
+
 }  // namespace boxprobe

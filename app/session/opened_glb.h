@@ -15,4 +15,7 @@ Scene openGlbScene(const std::string& path);
 /// beside it. Throws as above.
 std::string bakedFolderOf(const std::string& path);
 
+/// What an opened scene goes by: its own file, else its first model's. Empty without either.
+std::string ownPathOf(const std::string& scenePath, const Scene& scene);
+
 }  // namespace boxprobe

@@ -1,6 +1,7 @@
 // See lesson_visit.h.
 #include "app/gui/lessons/lesson_visit.h"
 
+#include "app/session/opened_glb.h"
 #include "filters/io/scene/lesson_file.h"
 #include "filters/io/scene/scene_file.h"
 
@@ -54,7 +55,7 @@ void LessonVisit::leave() {
   stepScene_.reset();
   const Own own = std::move(*own_);
   own_.reset();
-  hooks_.showModels(own.models, own.state.path());
+  hooks_.showModels(own.models, ownPathOf(own.state.path(), own.state.scene()));
   document_.restore(own.state, Changes::all());
   hooks_.left();
 }

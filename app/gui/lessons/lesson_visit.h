@@ -28,7 +28,7 @@ class LessonVisit : public QObject {
     std::function<Models()> shownModels;
     /// The models of a scene, read where they are not at hand. Throws InputError, LoadCancelled.
     std::function<Models(const Scene&)> loadModels;
-    /// Puts models on show; `folder` is the path that baked files lie beside.
+    /// Puts models on show; `path`: what the scene goes by (ownPathOf()), empty for a lesson's.
     std::function<void(const Models&, const std::string& path)> showModels;
     std::function<void()> beforeStep;  ///< while what was shown before still is
     std::function<void()> entered;     ///< the learner's own scene has gone; the first step's is not there yet

@@ -46,6 +46,7 @@
 #include "app/gui/window/scene_reporter.h"
 #include "app/gui/window/status_line.h"
 #include "app/gui/window/view_tools.h"
+#include "app/session/opened_glb.h"
 #include "filters/core/geometry/probe_at.h"
 #include "filters/fit/rays/triangle_sight.h"
 #include "filters/io/engines/glb_probes.h"
@@ -410,10 +411,7 @@ void MainWindow::updateInvitation() {
 
 void MainWindow::showScene(LoadedScene loaded) {
   lessons_->drop();
-  // A .glb with probes has its baked files in itself.
-  const std::vector<ModelFile>& given = loaded.scene.models;
-  const bool ownProbes = loaded.path.empty() && given.size() == 1 && holdsProbes(given.front().file);
-  showModels(loaded.models, ownProbes ? given.front().file : loaded.path);
+  showModels(loaded.models, ownPathOf(loaded.path, loaded.scene));
   QStringList variants;
   for (const std::string& name : loaded.models.empty() ? std::vector<std::string>() : loaded.models.front()->variants) {
     variants.append(QString::fromStdString(name));
@@ -435,7 +433,8 @@ void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& mod
   shownPath_ = path;
   panels_->setModels(models);
   takePose(models);
-  panels_->bakePanel().sceneOpened(path);
+  // A .glb with probes has its baked files in itself; beside another model there are none.
+  panels_->bakePanel().sceneOpened(isModelPath(path) && !holdsProbes(path) ? std::string() : path);
 }
 
 void MainWindow::takePose(const std::vector<std::shared_ptr<const Model>>& models) {

@@ -108,6 +108,7 @@ class MainWindow : public QMainWindow {
   void connectDebugView();
   void connectLessons();
   void connectFitter();
+  /// `path`: what the scene goes by (ownPathOf()); empty for a lesson's.
   void showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path);
   /// The same models in another pose.
   void takePose(const std::vector<std::shared_ptr<const Model>>& models);
@@ -141,7 +142,7 @@ class MainWindow : public QMainWindow {
   ViewTools* tools_ = nullptr;
   LessonDock* lessonDock_;
   std::vector<std::shared_ptr<const Model>> models_;
-  std::string shownPath_;  ///< of the scene on show
+  std::string shownPath_;  ///< what the scene on show goes by
 };
 
 }  // namespace boxprobe
