@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/edit/editor.h"
@@ -72,11 +73,48 @@ TEST_F(LiveLinkTest, AnEditStandsInTheFileAndMapsFollow) {
   EXPECT_EQ(failed.size(), 0);
 }
 
+TEST_F(LiveLinkTest, EachLinkCountsItsOwnRevisions) {
+  waitUntilIdle();
+  LiveLink& link = window_->liveLink();
+  QSignalSpy told(&link, &LiveLink::message);
+  const auto any = [&told](const QString& words) {
+    return std::any_of(told.begin(), told.end(),
+                       [&](const auto& each) { return each.at(0).toString().contains(words); });
+  };
+  for (const char* name : {"/first.glb", "/second.glb"}) {
+    told.clear();
+    const int before = link.revision();
+    link.start(folder_.path() + name);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return any("follows the scene"); }, 300000)) << name;
+    document().commit("Move", [](Scene& scene) { scene.probes[0].box.max.x += 0.125; });
+    emit window_->editor().settled();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return link.revision() >= before + 2; }, 300000));
+    link.stop();
+    const QString words = QString("after %1 revisions").arg(link.revision() - before);
+    EXPECT_TRUE(any(words)) << told.back().at(0).toString().toStdString();
+    QTest::qWait(500);  // what was under way is written to its end
+  }
+}
+
 TEST_F(LiveLinkTest, TheModelItselfIsNotOverwritten) {
+  const auto bytesOf = [](const QString& name) {
+    QFile file(name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  };
+  const QString copy = folder_.path() + "/model.glb";  // if it were overwritten, then not the checkout's
+  ASSERT_TRUE(QFile::copy(QString::fromStdString(document().scene().models.at(0).file), copy));
+  const QByteArray before = bytesOf(copy);
+  ASSERT_GT(before.size(), 1000);
+  LoadedScene copied = scene();
+  copied.scene.models.at(0).file = copy.toStdString();
+  window_->showScene(std::move(copied));
+  waitUntilIdle();
   LiveLink& link = window_->liveLink();
   QSignalSpy failed(&link, &LiveLink::failed);
-  link.start(QString::fromStdString(document().scene().models.at(0).file));
+  link.start(copy);
   EXPECT_FALSE(link.running());
+  QTest::qWait(500);
+  EXPECT_TRUE(bytesOf(copy) == before);
   ASSERT_EQ(failed.size(), 1);
   EXPECT_TRUE(failed.at(0).at(0).toString().contains("model"));
 }

@@ -1,8 +1,10 @@
+// See live_link.h.
 #include "app/gui/window/live_link.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "app/session/glb_export.h"
@@ -28,9 +30,11 @@ LiveLink::LiveLink(const Document& document, SceneRenderer& renderer, Hooks hook
 void LiveLink::ask(bool on) {
   if (!on) return stop();
   const QString scene = QString::fromStdString(document_.path());
-  const QString start = scene.isEmpty() ? QString("live.glb") : QFileInfo(scene).path() + "/live.glb";
-  const QString path = QFileDialog::getSaveFileName(window_, tr("Live link to a file"), start, tr("glTF (*.glb)"));
-  path.isEmpty() ? emit switched(false) : this->start(path);
+  const QString proposed = scene.isEmpty() ? QString("live.glb") : QFileInfo(scene).path() + "/live.glb";
+  QString path = QFileDialog::getSaveFileName(window_, tr("Live link to a file"), proposed, tr("glTF (*.glb)"));
+  if (path.isEmpty()) return emit switched(false);
+  if (QFileInfo(path).suffix().isEmpty()) path += ".glb";
+  start(path);
 }
 
 void LiveLink::start(const QString& path) {
@@ -44,6 +48,7 @@ void LiveLink::start(const QString& path) {
   path_ = path;
   told_.clear();
   maps_.clear();
+  writtenHere_ = 0;
   emit switched(true);
   write();
 }
@@ -52,7 +57,8 @@ void LiveLink::stop() {
   if (!running()) return;
   soon_.stop();
   turn_.stop();
-  emit message(tr("The live link to %1 ended after %2 revisions").arg(path_).arg(revision_));
+  emit message(writtenHere_ == 1 ? tr("The live link to %1 ended after 1 revision").arg(path_)
+                                 : tr("The live link to %1 ended after %2 revisions").arg(path_).arg(writtenHere_));
   path_.clear();
   emit switched(false);
 }
@@ -97,7 +103,8 @@ void LiveLink::written(bool stopped, const QString& error) {
     told_ = error;
   } else if (!stopped) {
     told_.clear();
-    if (++revision_ == 1) emit message(tr("%1 follows the scene").arg(path_));
+    ++revision_;
+    if (running() && ++writtenHere_ == 1) emit message(tr("%1 follows the scene").arg(path_));
   }
   if (again_) soon_.start();
 }
@@ -105,6 +112,9 @@ void LiveLink::written(bool stopped, const QString& error) {
 void LiveLink::readOne() {
   if (!running() || !hooks_.ownSceneShown()) return turn_.stop();
   if (renderer_.workPending() || document_.previewing()) return;
+  for (auto kept = maps_.begin(); kept != maps_.end();) {
+    kept = findProbe(document_.scene(), kept->first) ? std::next(kept) : maps_.erase(kept);
+  }
   for (const Probe& probe : document_.scene().probes) {
     const BakeState state = renderer_.bakeState(probe.name);
     if (probe.mode == ProbeMode::Baked && state != BakeState::UpToDate && state != BakeState::FromFile) continue;

@@ -67,8 +67,9 @@ class LiveLink : public QObject {
   Maps maps_;             ///< by probe, as they are in the file or will be
   bool mapsNew_ = false;  ///< some are not written yet
   bool again_ = false;    ///< something changed while it was written
-  int revision_ = 0;
-  QString told_;  ///< the last error
+  int revision_ = 0;      ///< goes on from one link to the next: a script that follows must not see a number again
+  int writtenHere_ = 0;   ///< since this link began
+  QString told_;          ///< the last error
   BackgroundWork work_;
 };
 
