@@ -16,7 +16,9 @@
 
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/handles/scene_surfaces.h"
+#include "app/gui/panels/light_panel.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/widgets/value_field.h"
 #include "app/gui/window/view_tools.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/widgets/handle_drag.h"
@@ -280,6 +282,44 @@ TEST_F(OutlinerTest, NamesAreTypedInPlace) {
   EXPECT_FALSE(document().canUndo());
 }
 
+TEST_F(OutlinerTest, ALightStaysSelectedWhileItIsEdited) {
+  const QModelIndex light = outliner().model().index(0, 0, outliner().model().group(Kind::Lights));
+  click(light);
+  ASSERT_TRUE(tree()->selectionModel()->isSelected(light));
+  const auto fields = window_->findChild<LightPanel*>()->findChildren<ValueField*>();
+  const auto intensity =
+      std::find_if(fields.begin(), fields.end(), [](auto* each) { return each->accessibleName() == "Intensity"; });
+  ASSERT_NE(intensity, fields.end());
+  const std::size_t examined = outliner().model().namesExamined();
+  const float before = document().scene().lights[0].intensity;
+  (*intensity)->setFocus();
+  for (int i = 0; i < 3; ++i) key(Qt::Key_Up);
+  EXPECT_GT(document().scene().lights[0].intensity, before);
+  EXPECT_TRUE(tree()->selectionModel()->isSelected(light));
+  EXPECT_EQ(outliner().model().namesExamined(), examined) << "no name has changed";
+  window_->editor().finish();
+  EXPECT_TRUE(tree()->selectionModel()->isSelected(light));
+  window_->editor().commitProbe("Rename", [](Probe& probe) { probe.name = "hall"; });
+  EXPECT_EQ(probeRow(0).data().toString(), "hall");
+  document().undo();
+  document().undo();
+  window_->viewState().selectObjects({*outliner().model().nodes().begin()});
+  EXPECT_FALSE(tree()->selectionModel()->isSelected(light));
+}
+
+TEST_F(OutlinerTest, WhatIsHiddenOfOneModelIsNotOfTheNext) {
+  LoadedScene bare = smallBuilding();
+  bare.path.clear();
+  LoadedScene other = bare;
+  other.scene.models.at(0).file = "another.glb";
+  window_->showScene(bare);
+  window_->viewState().setHidden(Part::Object, {"pillars"}, true);
+  window_->showScene(bare);
+  EXPECT_TRUE(window_->viewState().hidden(Part::Object, "pillars")) << "it was read again";
+  window_->showScene(other);
+  EXPECT_FALSE(window_->viewState().hidden(Part::Object, "pillars"));
+}
+
 // 300 probes: the tree stays where it was scrolled to, and the keys go where they went, whatever is selected elsewhere.
 TEST_F(OutlinerTest, ManyProbesAndNothingScrollsOrTakesTheFocus) {
   window_->editor().commit("Many", [](Scene& scene) {
@@ -412,6 +452,55 @@ TEST_F(RoomTest, FramingStaysIndoorsAndOutdoorsSaysWhatToDo) {
   key(Qt::Key_F);
   EXPECT_FALSE(inside(renderer().currentCamera().position)) << "who is outside stays outside";
   EXPECT_TRUE(window_->statusBar()->currentMessage().contains("Alt+B"));
+}
+
+// The wall at z = 3 is cut where the box ends little beyond it, and stays where the box goes on, from far and from
+// near.
+TEST_F(RoomTest, PicksAgreeWithThePictureAtTheEdgeOfTheCut) {
+  const auto at = [this](const glm::dvec3& point) {
+    const QPointF pixel = pixelOf(point);
+    SceneSurfaces surfaces(document());
+    surfaces.setModels(window_->models());
+    surfaces.setView({{}, {}, renderer().windowView().cutaway});
+    const auto picked = surfaces.objectAt(window_->viewport().view().ray({pixel.x(), pixel.y()}));
+    const QSize size = window_->viewport().size();
+    const Explanation told = renderer().explain(pixel.toPoint().x(), pixel.toPoint().y(), size.width(), size.height());
+    EXPECT_EQ(picked ? picked->node : "", told.surface.object);
+    return told.surface.object;
+  };
+  const auto drawn = [this](const glm::dvec3& point) { return QColor(picture().pixel(pixelOf(point).toPoint())); };
+  for (const double from : {3.7, 40.0}) {
+    look({0.9, 1.3, from}, {0.9, 1.3, -1.0});
+    const glm::dvec3 point(0.9 + 0.02 * (from - 3.0), 1.3 + 0.03 * (from - 3.0), 3.0);
+    const QColor whole = drawn(point);
+    const std::string wall = at(point);
+    window_->viewState().setCutaway(true);
+    for (const double beyond : {0.03, 0.12}) {
+      window_->editor().commitProbe("Box", [beyond](Probe& probe) {
+        probe.box = {{-4.0, 0.0, -3.0}, {4.0, 3.0, 3.0 + beyond}};
+      });
+      EXPECT_EQ(at(point) == wall, beyond > 0.1) << from << " " << beyond;
+      EXPECT_EQ(drawn(point) == whole, beyond > 0.1) << from << " " << beyond;
+      document().undo();
+    }
+    window_->viewState().setCutaway(false);
+  }
+}
+
+TEST_F(RoomTest, RaysPassWhatIsHidden) {
+  SceneSurfaces surfaces(document());
+  surfaces.setModels(window_->models());
+  const glm::dvec3 center = renderer().objectBounds("sphere 1")->center();
+  const Ray down{{center.x, 2.9, center.z}, {0.0, -1.0, 0.0}};
+  const auto sphere = surfaces.meet(down);
+  ASSERT_TRUE(sphere.has_value());
+  EXPECT_GT(sphere->y, center.y);
+  surfaces.setView({{"sphere 1"}, {}, {}});
+  const auto below = surfaces.meet(down);
+  ASSERT_TRUE(below.has_value());
+  EXPECT_LT(below->y, center.y);
+  surfaces.setView({});
+  EXPECT_EQ(*surfaces.meet(down), *sphere);
 }
 
 TEST_F(RoomTest, AClickGoesThroughTheCut) {

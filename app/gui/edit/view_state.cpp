@@ -106,7 +106,7 @@ void ViewState::follow(const std::vector<Probe>& probes, const Names& nodes) {
 }
 
 void ViewState::forget() {
-  const bool any = isolated_ || anyHidden() || !(locked_ == Marks{}) || !objects_.empty();
+  const bool any = isolated_ || anyHidden() || anyLocked() || !objects_.empty();
   objects_.clear();
   hidden_ = locked_ = {};
   isolated_.reset();

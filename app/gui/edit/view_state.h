@@ -41,6 +41,7 @@ class ViewState : public QObject {
   /// Ends isolation and hides nothing; locks stay.
   void showAll();
   bool anyHidden() const;
+  bool anyLocked() const { return !(locked_ == Marks{}); }
 
   /// What stands between the eye and the selected probe's box is cut away.
   bool cutaway() const { return cutaway_; }

@@ -156,7 +156,7 @@ Outliner::Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QW
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &Outliner::choose);
   connect(&state_, &ViewState::changed, this, [this] {
     model_->stateChanged();
-    if (!choosing_) showSelection();
+    followSelection();
   });
   update();
 }
@@ -184,8 +184,8 @@ void Outliner::showStates(const std::vector<BakeStateLook>& looks) {
 }
 
 void Outliner::update() {
-  model_->show(editor_.scene(), filter_->text().trimmed());
-  if (!choosing_) showSelection();
+  const bool renamed = model_->show(editor_.scene(), filter_->text().trimmed());
+  renamed && !choosing_ && !othersSelected() ? showSelection() : followSelection();
   const std::vector<std::size_t> selected = editor_.selected();
   duplicate_->setEnabled(!selected.empty());
   delete_->setEnabled(!selected.empty());
@@ -248,14 +248,35 @@ void Outliner::choose() {
   }
   const auto selected = editor_.document().selectedProbe();
   model_->markShown(editor_.selected().size() > 1 && selected ? static_cast<int>(*selected) : -1);
+  rememberSelection();
   choosing_ = false;
 }
 
-// Rows of lights and cameras stay selected: nothing else says that they are not.
+void Outliner::rememberSelection() {
+  probesSelected_ = editor_.selected();
+  objectsSelected_ = state_.objects();
+  probeShown_ = editor_.document().selectedProbe();
+}
+
+bool Outliner::othersSelected() const {
+  const QModelIndexList rows = tree_->selectionModel()->selectedRows();
+  return std::any_of(rows.begin(), rows.end(), [this](const QModelIndex& row) {
+    return model_->kind(row) == Kind::Light || model_->kind(row) == Kind::Camera;
+  });
+}
+
+// Rows of lights and cameras stay selected while they are edited: nothing else says that they are not.
+void Outliner::followSelection() {
+  const bool same = probesSelected_ == editor_.selected() && objectsSelected_ == state_.objects() &&
+                    probeShown_ == editor_.document().selectedProbe();
+  if (!choosing_ && !same) showSelection();
+}
+
 void Outliner::showSelection() {
   choosing_ = true;
   const auto selected = editor_.document().selectedProbe();
   const std::vector<std::size_t> probes = editor_.selected();
+  rememberSelection();
   QItemSelection wanted;
   QModelIndex current;
   if (!state_.objects().empty()) {
@@ -309,7 +330,7 @@ void Outliner::toggle(const QModelIndex& mark, bool alone) {
   const auto& [probes, objects] = names;
   if (probes.empty() && objects.empty()) return;
   if (mark.column() == OutlinerModel::kEye && alone) {
-    state_.isolated() ? state_.endIsolation() : state_.isolate(probes, objects);
+    emit aloneWanted(probes, objects);
     return;
   }
   const auto any = [&](const auto& holds) {
@@ -318,9 +339,7 @@ void Outliner::toggle(const QModelIndex& mark, bool alone) {
   };
   if (mark.column() == OutlinerModel::kEye) {
     const bool hide = any([this](Part part, const std::string& name) { return state_.shown(part, name); });
-    state_.endIsolation();
-    state_.setHidden(Part::Probe, probes, hide);
-    state_.setHidden(Part::Object, objects, hide);
+    emit hideWanted(probes, objects, hide);
   } else {
     const bool lock = any([this](Part part, const std::string& name) { return !state_.locked(part, name); });
     state_.setLocked(Part::Probe, probes, lock);
@@ -356,7 +375,7 @@ void Outliner::addViewEntries(QMenu& menu, const QModelIndex& row) {
   }
   offer(locked ? tr("&Unlock") : tr("Loc&k"), OutlinerModel::kLock, false);
   if (state_.anyHidden()) {
-    connect(menu.addAction(tr("Show &all hidden")), &QAction::triggered, &state_, &ViewState::showAll);
+    connect(menu.addAction(tr("Show &all hidden")), &QAction::triggered, this, &Outliner::showAllRequested);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <QPersistentModelIndex>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -28,9 +29,9 @@ class Outliner : public QWidget {
   Q_OBJECT
 
  public:
-  /// `probeActions` are offered for probes.
   Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QWidget* parent = nullptr);
 
+  /// What is offered for probes.
   void setProbeActions(const std::vector<QAction*>& actions) { probeActions_ = actions; }
   void setModels(const std::vector<std::shared_ptr<const Model>>& models);
   /// The document changed.
@@ -49,7 +50,10 @@ class Outliner : public QWidget {
  signals:
   void frameRequested();
   void isolateRequested();
-  void hideRequested();
+  void hideWanted(const ViewState::Names& probes, const ViewState::Names& objects, bool hidden);
+  /// Once more: all are shown.
+  void aloneWanted(const ViewState::Names& probes, const ViewState::Names& objects);
+  void showAllRequested();
   void objectChosen(const QString& node);
   void lightChosen(std::size_t index);
   void cameraWanted(int index);
@@ -58,7 +62,12 @@ class Outliner : public QWidget {
 
  private:
   void choose();
+  /// If it is not what was shown last.
+  void followSelection();
   void showSelection();
+  void rememberSelection();
+  /// A light or a camera.
+  bool othersSelected() const;
   void toggle(const QModelIndex& mark, bool alone);
   void deselectHidden();
   void openGroups();
@@ -76,6 +85,9 @@ class Outliner : public QWidget {
   QLineEdit* filter_;
   QTreeView* tree_;
   QToolButton *duplicate_ = nullptr, *delete_ = nullptr;
+  std::vector<std::size_t> probesSelected_;  ///< as they were shown last
+  ViewState::Names objectsSelected_;
+  std::optional<std::size_t> probeShown_;
   std::set<std::string> shut_, opened_;  ///< groups that the user has closed or opened, by kind and name
   bool choosing_ = false;                ///< the tree's own selection is on its way to the document
   bool opening_ = false;                 ///< groups are opened as they were

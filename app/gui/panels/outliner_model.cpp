@@ -3,8 +3,6 @@
 
 #include <QFont>
 #include <QGuiApplication>
-#include <QHash>
-#include <QIcon>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
@@ -23,78 +21,6 @@ namespace {
 
 using Kind = OutlinerModel::Kind;
 using Part = ViewState::Part;
-
-enum class Sign { Eye, EyeShut, Lock, LockOpen, Object, Lamp, Light, Camera };
-
-/// In a square of 16 units.
-void draw(QPainter& p, Sign sign) {
-  switch (sign) {
-    case Sign::Eye:
-    case Sign::EyeShut: {
-      QPainterPath lid(QPointF(1.5, 8.0));
-      lid.quadTo(8.0, sign == Sign::Eye ? 1.0 : 13.0, 14.5, 8.0);
-      if (sign == Sign::Eye) lid.quadTo(8.0, 15.0, 1.5, 8.0);
-      p.drawPath(lid);
-      if (sign == Sign::EyeShut) break;
-      p.setBrush(p.pen().color());
-      p.drawEllipse(QPointF(8.0, 8.0), 1.8, 1.8);
-      break;
-    }
-    case Sign::Lock:
-    case Sign::LockOpen:
-      p.drawArc(QRectF(sign == Sign::Lock ? 5.0 : 8.0, 2.0, 6.0, 8.0), 0, 180 * 16);
-      if (sign == Sign::Lock) p.setBrush(p.pen().color());
-      p.drawRect(QRectF(3.5, 7.0, 9.0, 6.5));
-      break;
-    case Sign::Object:
-      p.drawPolygon(QPolygonF({{8.0, 1.5}, {14.0, 5.0}, {14.0, 11.5}, {8.0, 15.0}, {2.0, 11.5}, {2.0, 5.0}}));
-      p.drawPolyline(QPolygonF({{2.0, 5.0}, {8.0, 8.0}, {14.0, 5.0}}));
-      p.drawLine(QPointF(8.0, 8.0), QPointF(8.0, 15.0));
-      break;
-    case Sign::Lamp:
-      p.drawPolygon(QPolygonF({{5.5, 2.0}, {10.5, 2.0}, {13.5, 9.0}, {2.5, 9.0}}));
-      p.drawLine(QPointF(8.0, 9.0), QPointF(8.0, 14.0));
-      p.drawLine(QPointF(5.0, 14.0), QPointF(11.0, 14.0));
-      break;
-    case Sign::Light:
-      p.drawEllipse(QPointF(8.0, 8.0), 3.0, 3.0);
-      for (const auto& [x, y] : {std::pair(1.0, 0.0), {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
-        p.drawLine(QPointF(8.0 + 4.8 * x, 8.0 + 4.8 * y), QPointF(8.0 + 7.0 * x, 8.0 + 7.0 * y));
-      }
-      break;
-    case Sign::Camera:
-      p.drawRect(QRectF(1.5, 4.5, 8.5, 7.5));
-      p.drawPolygon(QPolygonF({{10.0, 8.0}, {14.5, 5.0}, {14.5, 11.5}}));
-      break;
-  }
-}
-
-QIcon signIcon(Sign sign, bool faint) {
-  const QColor color = QGuiApplication::palette().color(QPalette::Text);
-  static QHash<quint64, QIcon> known;
-  const quint64 key = (static_cast<quint64>(color.rgba()) << 8) | (static_cast<quint64>(sign) << 1) | (faint ? 1 : 0);
-  const auto found = known.constFind(key);
-  if (found != known.constEnd()) return *found;
-  QIcon icon;
-  for (const auto mode : {QIcon::Normal, QIcon::Selected}) {
-    constexpr int kSize = 16, kFine = 2;
-    QPixmap picture(kFine * kSize, kFine * kSize);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.scale(kFine, kFine);
-    if (faint) painter.setOpacity(0.45);
-    const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::Text;
-    painter.setPen(QPen(QGuiApplication::palette().color(role), 1.3));
-    painter.setBrush(Qt::NoBrush);
-    draw(painter, sign);
-    painter.end();
-    picture.setDevicePixelRatio(kFine);
-    icon.addPixmap(picture, mode);
-  }
-  known.insert(key, icon);
-  return icon;
-}
 
 using Test = std::function<bool(const std::string&)>;
 
@@ -159,8 +85,78 @@ std::vector<std::string> probeGroups(const std::vector<Probe>& probes) {
 
 OutlinerModel::OutlinerModel(const ViewState& state, QObject* parent) : QAbstractItemModel(parent), state_(state) {}
 
+/// In a square of 16 units.
+void OutlinerModel::draw(QPainter& p, Sign sign) {
+  switch (sign) {
+    case Sign::Eye:
+    case Sign::EyeShut: {
+      QPainterPath lid(QPointF(1.5, 8.0));
+      lid.quadTo(8.0, sign == Sign::Eye ? 1.0 : 13.0, 14.5, 8.0);
+      if (sign == Sign::Eye) lid.quadTo(8.0, 15.0, 1.5, 8.0);
+      p.drawPath(lid);
+      if (sign == Sign::EyeShut) break;
+      p.setBrush(p.pen().color());
+      p.drawEllipse(QPointF(8.0, 8.0), 1.8, 1.8);
+      break;
+    }
+    case Sign::Lock:
+    case Sign::LockOpen:
+      p.drawArc(QRectF(sign == Sign::Lock ? 5.0 : 8.0, 2.0, 6.0, 8.0), 0, 180 * 16);
+      if (sign == Sign::Lock) p.setBrush(p.pen().color());
+      p.drawRect(QRectF(3.5, 7.0, 9.0, 6.5));
+      break;
+    case Sign::Object:
+      p.drawPolygon(QPolygonF({{8.0, 1.5}, {14.0, 5.0}, {14.0, 11.5}, {8.0, 15.0}, {2.0, 11.5}, {2.0, 5.0}}));
+      p.drawPolyline(QPolygonF({{2.0, 5.0}, {8.0, 8.0}, {14.0, 5.0}}));
+      p.drawLine(QPointF(8.0, 8.0), QPointF(8.0, 15.0));
+      break;
+    case Sign::Lamp:
+      p.drawPolygon(QPolygonF({{5.5, 2.0}, {10.5, 2.0}, {13.5, 9.0}, {2.5, 9.0}}));
+      p.drawLine(QPointF(8.0, 9.0), QPointF(8.0, 14.0));
+      p.drawLine(QPointF(5.0, 14.0), QPointF(11.0, 14.0));
+      break;
+    case Sign::Light:
+      p.drawEllipse(QPointF(8.0, 8.0), 3.0, 3.0);
+      for (const auto& [x, y] : {std::pair(1.0, 0.0), {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
+        p.drawLine(QPointF(8.0 + 4.8 * x, 8.0 + 4.8 * y), QPointF(8.0 + 7.0 * x, 8.0 + 7.0 * y));
+      }
+      break;
+    case Sign::Camera:
+      p.drawRect(QRectF(1.5, 4.5, 8.5, 7.5));
+      p.drawPolygon(QPolygonF({{10.0, 8.0}, {14.5, 5.0}, {14.5, 11.5}}));
+      break;
+  }
+}
+
+QIcon OutlinerModel::signIcon(Sign sign, bool faint) const {
+  const QColor color = QGuiApplication::palette().color(QPalette::Text);
+  const quint64 key = (static_cast<quint64>(color.rgba()) << 8) | (static_cast<quint64>(sign) << 1) | (faint ? 1 : 0);
+  const auto found = icons_.constFind(key);
+  if (found != icons_.constEnd()) return *found;
+  QIcon icon;
+  for (const auto mode : {QIcon::Normal, QIcon::Selected}) {
+    constexpr int kSize = 16, kFine = 2;
+    QPixmap picture(kFine * kSize, kFine * kSize);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(kFine, kFine);
+    if (faint) painter.setOpacity(0.45);
+    const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::Text;
+    painter.setPen(QPen(QGuiApplication::palette().color(role), 1.3));
+    painter.setBrush(Qt::NoBrush);
+    draw(painter, sign);
+    painter.end();
+    picture.setDevicePixelRatio(kFine);
+    icon.addPixmap(picture, mode);
+  }
+  icons_.insert(key, icon);
+  return icon;
+}
+
 void OutlinerModel::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
   models_ = models;
+  shown_.reset();
   nodes_.clear();
   for (const auto& model : models_) {
     for (const Instance& instance : model->instances) {
@@ -205,19 +201,33 @@ void OutlinerModel::addProbes(Items& items, const std::vector<Probe>& probes, co
   }
 }
 
-void OutlinerModel::addObjects(Items& items, const Scene& scene, const QString& words) {
-  ViewState::Names lamps;
+OutlinerModel::Basis OutlinerModel::basisOf(const Scene& scene, const QString& words) const {
+  Basis basis;
+  basis.words = words;
+  for (const Probe& probe : scene.probes) basis.probes.push_back(probe.name);
+  for (const Camera& camera : scene.cameras) basis.cameras.push_back(camera.name);
+  for (const Light& light : scene.lights) basis.lights.push_back(light.type);
   for (const auto& model : models_) {
-    std::vector<char> shining;
-    for (const Material& material : model->materials) shining.push_back(shines(material, scene) ? 1 : 0);
-    for (const Instance& instance : model->instances) {
-      const int material = model->meshes[static_cast<std::size_t>(instance.mesh)].material;
-      if (material >= 0 && shining[static_cast<std::size_t>(material)] != 0) lamps.insert(instance.node);
+    basis.shining.emplace_back();
+    for (const Material& material : model->materials) {
+      basis.shining.back().push_back(shines(material, scene) ? 1 : 0);
+    }
+  }
+  return basis;
+}
+
+void OutlinerModel::addObjects(Items& items, const Basis& basis) {
+  ViewState::Names lamps;
+  for (std::size_t i = 0; i < models_.size(); ++i) {
+    const Model& model = *models_[i];
+    for (const Instance& instance : model.instances) {
+      const int material = model.meshes[static_cast<std::size_t>(instance.mesh)].material;
+      if (material >= 0 && basis.shining[i][static_cast<std::size_t>(material)] != 0) lamps.insert(instance.node);
     }
   }
   std::vector<std::string> objects, shining;
   for (const std::string& node : nodes_) {
-    if (found(node, words)) (lamps.count(node) > 0 ? shining : objects).push_back(node);
+    if (found(node, basis.words)) (lamps.count(node) > 0 ? shining : objects).push_back(node);
   }
   const auto addAll = [&items](const std::vector<std::string>& names, Kind group, Kind kind) {
     if (names.empty()) return;
@@ -228,14 +238,17 @@ void OutlinerModel::addObjects(Items& items, const Scene& scene, const QString& 
   addAll(shining, Kind::Lamps, Kind::Lamp);
 }
 
-void OutlinerModel::show(const Scene& scene, const QString& words) {
+bool OutlinerModel::show(const Scene& scene, const QString& words) {
+  Basis basis = basisOf(scene, words);
+  if (shown_ == basis) return false;
+  shown_ = std::move(basis);
   Items items;
   std::vector<std::size_t> probes;
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     if (found(scene.probes[i].name, words)) probes.push_back(i);
   }
   addProbes(items, scene.probes, probes);
-  addObjects(items, scene, words);
+  addObjects(items, *shown_);
   int lights = -1, cameras = -1;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const QString name = scene.lights[i].type == LightType::Directional ? tr("directional %1")
@@ -251,18 +264,18 @@ void OutlinerModel::show(const Scene& scene, const QString& words) {
     if (cameras < 0) cameras = add(items, -1, Kind::Cameras, {}, 0);
     add(items, cameras, Kind::Camera, scene.cameras[i].name, i);
   }
-  take(std::move(items));
+  return take(std::move(items));
 }
 
 // Names alone may change in place: what is open, and where it is scrolled to, stays.
-void OutlinerModel::take(Items items) {
+bool OutlinerModel::take(Items items) {
   std::vector<int> top;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (items[i].parent >= 0) continue;
     items[i].row = static_cast<int>(top.size());
     top.push_back(static_cast<int>(i));
   }
-  if (items == items_) return;
+  if (items == items_) return false;
   probeItems_.clear();
   objectItems_.clear();
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -276,12 +289,14 @@ void OutlinerModel::take(Items items) {
                          });
   if (sameShape) {
     items_ = std::move(items);
-    return everyRowChanged({Qt::DisplayRole, Qt::EditRole, Qt::DecorationRole, Qt::ToolTipRole});
+    everyRowChanged({Qt::DisplayRole, Qt::EditRole, Qt::DecorationRole, Qt::ToolTipRole});
+    return true;
   }
   beginResetModel();
   items_ = std::move(items);
   top_ = std::move(top);
   endResetModel();
+  return false;
 }
 
 // A signal per group, not per row.
@@ -464,18 +479,18 @@ QVariant OutlinerModel::markData(const Item& item, int column, int role) const {
     const bool off = holds([&](const std::string& each) { return !state_.shown(*part, each); });
     if (role == Qt::DecorationRole) return signIcon(off ? Sign::EyeShut : Sign::Eye, off);
     if (role == Qt::AccessibleTextRole) return off ? tr("%1 is hidden").arg(name) : tr("%1 is shown").arg(name);
-    return role == Qt::ToolTipRole ? tr("Shows or hides it in this window (H); with Ctrl it alone is shown (/). The "
-                                        "scene's file, captures, "
-                                        "exported pictures and errors still have it")
-                                   : QVariant();
+    return role == Qt::ToolTipRole
+               ? tr("Shows or hides it in this window (H). Ctrl+click isolates it (/). The scene file, "
+                    "captures, exported pictures and errors still include it.")
+               : QVariant();
   }
   const bool locked = holds([&](const std::string& each) { return state_.locked(*part, each); });
   if (role == Qt::DecorationRole) return signIcon(locked ? Sign::Lock : Sign::LockOpen, !locked);
   if (role == Qt::AccessibleTextRole) return locked ? tr("%1 is locked").arg(name) : tr("%1 is free").arg(name);
-  return role == Qt::ToolTipRole
-             ? tr("Locked: clicks in the picture do not select it, and its handles do not move. Only in "
-                  "this window; the scene's file does not have it")
-             : QVariant();
+  return role == Qt::ToolTipRole ? tr("Clicks in the view pass through it and its handles do not move. In this window "
+                                      "only; not saved in the "
+                                      "scene file.")
+                                 : QVariant();
 }
 
 QVariant OutlinerModel::data(const QModelIndex& index, int role) const {

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <QHash>
+#include <QIcon>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -13,6 +16,8 @@
 #include "app/gui/edit/view_state.h"
 #include "app/gui/panels/bake_state_look.h"
 #include "filters/core/scene/model.h"
+
+class QPainter;
 
 namespace boxprobe {
 
@@ -27,8 +32,8 @@ class OutlinerModel : public QAbstractItemModel {
 
   void setModels(const std::vector<std::shared_ptr<const Model>>& models);
   /// Names of the scene that have `words` in them, whatever the case; empty: all. Emits modelReset if other rows
-  /// result.
-  void show(const Scene& scene, const QString& words);
+  /// result. True: rows have got other names in place.
+  bool show(const Scene& scene, const QString& words);
   /// In the scene's order.
   void showStates(const std::vector<BakeStateLook>& looks);
   /// That probe's name is set in bold: of several selected, the one whose fields are shown. -1: none.
@@ -80,13 +85,28 @@ class OutlinerModel : public QAbstractItemModel {
     }
   };
   using Items = std::vector<Item>;
+  /// All that the rows are made of, beside the models.
+  struct Basis {
+    QString words;
+    std::vector<std::string> probes, cameras;
+    std::vector<LightType> lights;
+    std::vector<std::vector<char>> shining;  ///< of each model, its materials
+    bool operator==(const Basis& o) const {
+      return words == o.words && probes == o.probes && cameras == o.cameras && lights == o.lights &&
+             shining == o.shining;
+    }
+  };
+  Basis basisOf(const Scene& scene, const QString& words) const;
   static int add(Items& items, int parent, Kind kind, std::string name, std::size_t place);
   void addProbes(Items& items, const std::vector<Probe>& probes, const std::vector<std::size_t>& found);
-  void addObjects(Items& items, const Scene& scene, const QString& words);
+  void addObjects(Items& items, const Basis& basis);
   bool found(const std::string& name, const QString& words);
-  void take(Items items);
+  bool take(Items items);
   const Item* item(const QModelIndex& index) const;
   QModelIndex indexOf(int item, int column = kName) const;
+  enum class Sign { Eye, EyeShut, Lock, LockOpen, Object, Lamp, Light, Camera };
+  static void draw(QPainter& painter, Sign sign);
+  QIcon signIcon(Sign sign, bool faint) const;
   QVariant nameData(const Item& item, int role) const;
   QVariant markData(const Item& item, int column, int role) const;
   QString title(const Item& item) const;
@@ -97,10 +117,12 @@ class OutlinerModel : public QAbstractItemModel {
   ViewState::Names nodes_;
   Items items_;
   std::vector<int> top_;
+  std::optional<Basis> shown_;
   std::unordered_map<std::size_t, int> probeItems_;  ///< by place
   std::unordered_map<std::string, int> objectItems_;
   std::vector<BakeStateLook> looks_;
   int bold_ = -1;
+  mutable QHash<quint64, QIcon> icons_;
   std::size_t examined_ = 0;
 };
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "app/gui/view/viewport.h"
-#include "filters/core/base/scope_exit.h"
+#include "app/gui/view/whole_view.h"
 #include "filters/io/image/image_file.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
@@ -30,10 +30,7 @@ void exportLinear(const std::string& path, SceneRenderer& renderer, const int* s
 void exportPicture(const std::string& path, SceneRenderer& renderer, Viewport& viewport,
                    vtkReflectionProbeRepresentation& handles) {
   viewport.window3d()->MakeCurrent();
-  // The scene, whatever the window hides or cuts away.
-  const WindowView view = renderer.windowView();
-  renderer.setWindowView({});
-  const ScopeExit again([&renderer, &view] { renderer.setWindowView(view); });
+  const WholeView whole(renderer);
   if (QString::fromStdString(path).endsWith(".exr", Qt::CaseInsensitive)) {
     return exportLinear(path, renderer, viewport.window3d()->GetSize());
   }

@@ -48,16 +48,20 @@ void ShownScene::update() {
   const ViewState& state = parts_.state;
   WindowView view;
   if (!whole_) {
-    for (const std::string& node : parts_.nodes()) {
-      if (!state.shown(Part::Object, node)) view.hidden.insert(node);
+    if (state.isolated() || state.anyHidden()) {
+      for (const std::string& node : parts_.nodes()) {
+        if (!state.shown(Part::Object, node)) view.hidden.insert(node);
+      }
     }
     const Probe* probe = parts_.editor.probe();
     if (state.cutaway() && probe != nullptr) view.cutaway = CutBox{probe->box, probe->rotationDegrees};
   }
   view.outlined = state.objects();
   ViewState::Names locked;
-  for (const std::string& node : parts_.nodes()) {
-    if (state.locked(Part::Object, node)) locked.insert(node);
+  if (state.anyLocked()) {
+    for (const std::string& node : parts_.nodes()) {
+      if (state.locked(Part::Object, node)) locked.insert(node);
+    }
   }
   parts_.surfaces.setView({view.hidden, locked, view.cutaway});
   if (view == parts_.renderer.windowView()) return;
@@ -79,13 +83,21 @@ ViewState::Names ShownScene::selectedProbes() const {
 
 void ShownScene::hideSelected() {
   const ViewState::Names objects = parts_.state.objects();
-  const Part part = objects.empty() ? Part::Probe : Part::Object;
-  const ViewState::Names names = objects.empty() ? selectedProbes() : objects;
-  if (names.empty()) return emit message(tr("Nothing is selected that could be hidden"));
-  parts_.state.setHidden(part, names, true);
+  const ViewState::Names probes = objects.empty() ? selectedProbes() : ViewState::Names();
+  if (objects.empty() && probes.empty()) return emit message(tr("Select a probe or an object to hide"));
+  setHidden(probes, objects, true);
+}
+
+void ShownScene::setHidden(const ViewState::Names& probes, const ViewState::Names& objects, bool hidden) {
+  parts_.state.endIsolation();
+  parts_.state.setHidden(Part::Probe, probes, hidden);
+  parts_.state.setHidden(Part::Object, objects, hidden);
+  if (!hidden) return;
+  ViewState::Names names = probes;
+  names.insert(objects.begin(), objects.end());
   emit message(names.size() == 1
                    ? tr("%1 is hidden in this window; Alt+H shows it").arg(QString::fromStdString(*names.begin()))
-                   : tr("%1 are hidden in this window; Alt+H shows them").arg(static_cast<int>(names.size())));
+                   : tr("%1 items are hidden in this window; Alt+H shows them").arg(static_cast<int>(names.size())));
 }
 
 ViewState::Names ShownScene::objectsIn(const std::vector<std::size_t>& probes) const {
@@ -107,15 +119,20 @@ ViewState::Names ShownScene::objectsIn(const std::vector<std::size_t>& probes) c
 }
 
 void ShownScene::toggleIsolation() {
-  if (parts_.state.isolated()) return parts_.state.endIsolation();
+  if (parts_.state.isolated()) return isolate({}, {});
   const ViewState::Names probes = selectedProbes();
   ViewState::Names objects = parts_.state.objects();
   if (objects.empty()) {
-    if (probes.empty()) return emit message(tr("Nothing is selected that could be shown alone"));
+    if (probes.empty()) return emit message(tr("Select a probe or an object to isolate"));
     objects = objectsIn(parts_.editor.selected());
   }
+  isolate(probes, objects);
+}
+
+void ShownScene::isolate(const ViewState::Names& probes, const ViewState::Names& objects) {
+  if (parts_.state.isolated()) return parts_.state.endIsolation();
   parts_.state.isolate(probes, objects);
-  emit message(tr("The selection alone; / shows the others again"));
+  emit message(tr("Only the selection is shown; press / to show the rest"));
 }
 
 void ShownScene::showAll() {

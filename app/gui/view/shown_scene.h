@@ -37,8 +37,12 @@ class ShownScene : public QObject {
   void setWhole(bool whole);
 
   void hideSelected();
+  /// Ends isolation.
+  void setHidden(const ViewState::Names& probes, const ViewState::Names& objects, bool hidden);
   /// The selected objects alone; or the selected probes and the objects that reach into their boxes. Once more: all.
   void toggleIsolation();
+  /// These alone; once more: all.
+  void isolate(const ViewState::Names& probes, const ViewState::Names& objects);
   void showAll();
   void setCutaway(bool on);
 

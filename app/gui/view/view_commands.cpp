@@ -65,7 +65,7 @@ void ViewCommands::frameSelection() {
       const glm::dvec3 eye = bounds.center() - *clear * forwardOf(camera);
       camera->SetPosition(eye.x, eye.y, eye.z);
     } else if (clear) {
-      emit message(tr("Something stands before it; Alt+B cuts it away"));
+      emit message(tr("A wall hides the selection; Alt+B cuts it away"));
     }
   }
   emit cameraMoved();

@@ -10,6 +10,7 @@
 #include "app/gui/edit/view_state.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/handles/scene_surfaces.h"
+#include "app/gui/view/shown_scene.h"
 #include "app/gui/view/view_commands.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/menu_bar.h"
@@ -69,13 +70,13 @@ std::unique_ptr<QMenu> PictureMenu::menuAt(const QPointF& pixel) {
     parts_.state.selectObjects({node});
     emit shownInPanels(QString::fromStdString(node), material);
   });
-  menu->addAction(tr("Hide"), this, [this, node] { parts_.state.setHidden(ViewState::Part::Object, {node}, true); });
-  menu->addAction(tr("Show it alone"), this, [this, node] {
+  menu->addAction(tr("&Hide"), this, [this, node] { parts_.shown.setHidden({}, {node}, true); });
+  menu->addAction(parts_.state.isolated() ? tr("Show the &others again") : tr("Show it a&lone"), this, [this, node] {
     const Probe* probe = parts_.editor.probe();
-    parts_.state.isolate(probe != nullptr ? ViewState::Names{probe->name} : ViewState::Names(), {node});
+    parts_.shown.isolate(probe != nullptr ? ViewState::Names{probe->name} : ViewState::Names(), {node});
   });
   if (parts_.state.isolated() || parts_.state.anyHidden()) {
-    menu->addAction(tr("Show all that is hidden"), &parts_.state, &ViewState::showAll);
+    menu->addAction(tr("Show &all hidden"), &parts_.shown, &ShownScene::showAll);
   }
   if (const Probe* probe = parts_.editor.probe()) {
     const bool out = std::find(probe->hides.begin(), probe->hides.end(), node) != probe->hides.end();

@@ -18,6 +18,7 @@ class Editor;
 class MenuBar;
 class ProbeWidget;
 class SceneSurfaces;
+class ShownScene;
 class ViewState;
 class ViewCommands;
 class Viewport;
@@ -33,6 +34,7 @@ class PictureMenu : public QObject {
     ProbeWidget& handles;
     SceneSurfaces& surfaces;
     ViewCommands& views;
+    ShownScene& shown;
     MenuBar& menu;
   };
   PictureMenu(const Parts& parts, QWidget* window);

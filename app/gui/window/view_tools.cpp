@@ -23,6 +23,7 @@
 #include "app/gui/view/shown_scene.h"
 #include "app/gui/view/view_comparison.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/view/whole_view.h"
 #include "app/gui/widgets/preferences.h"
 #include "app/gui/window/exposure_tools.h"
 #include "app/gui/window/key_list.h"
@@ -46,7 +47,8 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
            [this]() -> const ViewState::Names& { return parts_.panels.outliner().model().nodes(); }, parts.models},
           this)),
       pictureMenu_(new PictureMenu(
-          {parts.editor, parts.state, parts.viewport, parts.handles, parts.surfaces, *views_, parts.menu}, window)),
+          {parts.editor, parts.state, parts.viewport, parts.handles, parts.surfaces, *views_, *shown_, parts.menu},
+          window)),
       wipe_(new CompareWipe(&parts.viewport)),
       compare_(new PictureCompare(
           parts.document, *wipe_,
@@ -89,7 +91,8 @@ void ViewTools::subscribe(ChangeViews& views) {
               if (changes.probeList || changes.models) {
                 parts_.state.follow(parts_.editor.scene().probes, parts_.panels.outliner().model().nodes());
               }
-              shown_->update();
+              const bool others = changes.probeList || changes.selection || changes.objects || changes.models;
+              if (others || parts_.state.cutaway()) shown_->update();
             });
 }
 
@@ -117,9 +120,10 @@ void ViewTools::connectShown() {
   connect(menu, &MenuBar::hideRequested, shown_, &ShownScene::hideSelected);
   connect(menu, &MenuBar::showAllRequested, shown_, &ShownScene::showAll);
   connect(menu, &MenuBar::isolateRequested, shown_, &ShownScene::toggleIsolation);
-  connect(menu, &MenuBar::cutawaySwitched, shown_, &ShownScene::setCutaway);
   parts_.state.setCutaway(cutsAway());
   menu->showCutaway(parts_.state.cutaway());
+  // From now on it is written to the preferences.
+  connect(menu, &MenuBar::cutawaySwitched, shown_, &ShownScene::setCutaway);
   connect(shown_, &ShownScene::message, &parts_.status, &StatusLine::showMessage);
   connect(views_, &ViewCommands::message, &parts_.status, &StatusLine::showMessage);
   connect(shown_, &ShownScene::pictureChanged, &parts_.scheduler, &RenderScheduler::requestRender);
@@ -139,8 +143,10 @@ void ViewTools::connectOutliner() {
   PanelDocks* panels = &parts_.panels;
   connect(&parts_.menu, &MenuBar::selectAllRequested, outliner, &Outliner::selectAll);
   connect(outliner, &Outliner::frameRequested, views_, &ViewCommands::frameSelection);
-  connect(outliner, &Outliner::hideRequested, shown_, &ShownScene::hideSelected);
   connect(outliner, &Outliner::isolateRequested, shown_, &ShownScene::toggleIsolation);
+  connect(outliner, &Outliner::hideWanted, shown_, &ShownScene::setHidden);
+  connect(outliner, &Outliner::aloneWanted, shown_, &ShownScene::isolate);
+  connect(outliner, &Outliner::showAllRequested, shown_, &ShownScene::showAll);
   connect(outliner, &Outliner::objectChosen, panels, [panels](const QString& node) { panels->show(node, {}); });
   connect(outliner, &Outliner::lightChosen, &panels->lightPanel(), &LightPanel::choose);
   connect(outliner, &Outliner::cameraWanted, &parts_.menu, &MenuBar::cameraChosen);
@@ -249,12 +255,8 @@ QImage ViewTools::barePicture() {
   try {
     const int shown = parts_.shownHandles.GetVisibility();
     parts_.shownHandles.VisibilityOff();
-    const WindowView view = parts_.renderer.windowView();
-    parts_.renderer.setWindowView({});
-    const ScopeExit again([this, shown, &view] {
-      parts_.shownHandles.SetVisibility(shown);
-      parts_.renderer.setWindowView(view);
-    });
+    const ScopeExit again([this, shown] { parts_.shownHandles.SetVisibility(shown); });
+    const WholeView whole(parts_.renderer);
     image = parts_.renderer.renderDisplay();
   } catch (const Error& error) {
     parts_.status.showError(QString::fromUtf8(error.what()));
