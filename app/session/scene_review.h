@@ -19,7 +19,7 @@ class OffscreenScene;
 
 struct ReviewSettings {
   int width = 640, height = 360;
-  int paths = 256;              ///< per pixel, of the traced pictures
+  int paths = 128;              ///< per pixel, of the traced pictures
   int samplesPerPixel = 16;     ///< of the drawn ones
   std::uint64_t seed = 1;       ///< of the paths
   std::vector<Camera> cameras;  ///< empty: every camera of the scene, or the default one where it has none

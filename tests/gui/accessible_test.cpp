@@ -5,6 +5,7 @@
 #include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -18,6 +19,7 @@
 #include <QTest>
 #include <map>
 
+#include "app/gui/panels/capture_panel.h"
 #include "app/gui/panels/fit_panel.h"
 #include "app/gui/panels/probe_panel.h"
 #include "app/gui/view/viewport.h"
@@ -95,16 +97,23 @@ TEST_F(AccessibleTest, SectionsAreReadWithoutTheMarkOfTheirFold) {
 }
 
 TEST_F(AccessibleTest, WithoutASelectionNoOldValuesStay) {
-  auto* panel = window_->findChild<ProbePanel*>();
   ASSERT_TRUE(document().selectedProbe().has_value());
   document().selectProbe(std::nullopt);
-  const auto fields = panel->findChildren<ValueField*>();
-  for (const ValueField* field : fields) {
-    EXPECT_TRUE(field->differs()) << pathOf(field) << " shows " << field->text().toStdString();
+  int ticks = 0;
+  for (QWidget* panel : {static_cast<QWidget*>(window_->findChild<ProbePanel*>()),
+                         static_cast<QWidget*>(window_->findChild<CapturePanel*>())}) {
+    const auto fields = panel->findChildren<ValueField*>();
+    for (const ValueField* field : fields) {
+      EXPECT_TRUE(field->differs()) << pathOf(field) << " shows " << field->text().toStdString();
+    }
+    const auto labels = panel->findChildren<QLabel*>();
+    for (const QLabel* label : labels)
+      EXPECT_FALSE(label->text().contains(QRegularExpression("[0-9] m"))) << label->text().toStdString();
+    const auto boxes = panel->findChildren<QCheckBox*>();
+    for (const QCheckBox* box : boxes) EXPECT_EQ(box->checkState(), Qt::Unchecked) << pathOf(box);
+    ticks += static_cast<int>(boxes.size());
   }
-  const auto labels = panel->findChildren<QLabel*>();
-  for (const QLabel* label : labels)
-    EXPECT_FALSE(label->text().contains(QRegularExpression("[0-9] m"))) << label->text().toStdString();
+  EXPECT_GT(ticks, 0);
   document().selectProbe(0);
   auto* origin = window_->findChild<VectorRow*>("origin");
   EXPECT_FALSE(origin->field(1)->differs());

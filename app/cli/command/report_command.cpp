@@ -86,7 +86,7 @@ ReviewSettings settingsOf(const ReportCommandOptions& options) {
   ReviewSettings settings;
   settings.width = size.width;
   settings.height = size.height;
-  settings.paths = options.rays.value_or(options.quick ? 32 : 128);
+  settings.paths = options.rays.value_or(options.quick ? 32 : settings.paths);
   settings.seed = options.seed;
   return settings;
 }

@@ -96,7 +96,7 @@ void GaugeRows::refresh() {
   spot_->setText(gauge && gauge->spot ? tr("Look at the worst spot (%1)").arg(degreesText(gauge->spot->degrees))
                                       : tr("Look at the worst spot"));
   spot_->setToolTip(
-      tr("Moves the camera to where the reflections are the most wrong: no face's mean is larger than the mean there"));
+      tr("Moves the camera to where reflections are most wrong. The error there is at least every face's mean."));
   if (!gauge) return;
   mean_->setText(tr("Mean error %1, 95 % below %2")
                      .arg(degreesText(gauge->errors.meanDegrees), degreesText(gauge->errors.p95Degrees)));

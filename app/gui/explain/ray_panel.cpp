@@ -47,8 +47,7 @@ constexpr std::array<const char*, 5> kColorings = {
 
 constexpr int kMostPoints = 2000;
 
-/// Scrolling past does not change it, unless it was clicked before.
-// As everywhere in the window, digits are Latin ones.
+/// Scrolling past does not change it, unless it was clicked before. Digits are Latin ones, as everywhere in the window.
 class QuietSpinBox : public QSpinBox {
  public:
   using QSpinBox::QSpinBox;

@@ -163,8 +163,7 @@ void CapturePanel::setModels(const std::vector<std::shared_ptr<const Model>>& mo
 void CapturePanel::update() {
   const Probe* probe = editor_.probe();
   setEnabled(probe != nullptr);
-  if (!probe || empty_) showNothing(this, !probe);
-  empty_ = !probe;
+  if (const bool nothing = probe == nullptr; nothing != empty_) showNothing(this, empty_ = nothing);
   if (!probe) return;
   showChoice(mode_, static_cast<int>(probe->mode));
   const bool custom = probe->mode == ProbeMode::Custom;

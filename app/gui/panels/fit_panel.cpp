@@ -32,7 +32,7 @@ QString errorsText(const BoxFit& fit, const std::optional<FitLightErrors>& light
                           degreesText(fit.before.p95Degrees) + arrow + degreesText(fit.after.p95Degrees));
   if (light) {
     text +=
-        FitPanel::tr("; light off by %1%2%3 %")
+        FitPanel::tr("; light error %1%2%3 %")
             .arg(QString::number(100.0 * light->before, 'f', 1), arrow, QString::number(100.0 * light->after, 'f', 1));
   }
   return text;
@@ -66,8 +66,7 @@ FitPanel::FitPanel(Editor& editor, QWidget* parent)
   errors_->setObjectName("fitErrors");
   errors_->setWordWrap(true);
   errors_->setToolTip(
-      tr("Before and after: the angle between what reflected rays look up and what they should; the light that is "
-         "looked up, against the right light"));
+      tr("Before and after: the angle between the sampled and the true direction, and the error of the sampled light"));
   rows->addWidget(errors_);
   auto* grid = new QGridLayout;
   rows->addLayout(grid);
@@ -148,14 +147,13 @@ void FitPanel::review(const BoxFit& result, const std::optional<FitLightErrors>&
     QCheckBox* box = faces_[static_cast<std::size_t>(face)];
     const QSignalBlocker quiet(box);
     box->setChecked(true);
-    box->setText(
-        QString("%1: ").arg(faceName(face)) +
-        (fitted.free ? tr("hardly matters") : tr("gains %1").arg(degreesText(fitted.gainDegrees))) +
-        (light_ ? tr(", light %1").arg(percentText(-light_->faceGain[static_cast<std::size_t>(face)])) : QString()));
-    box->setToolTip(
-        tr("What this face alone gains: degrees of the mean error, and how much smaller the error of the light that is "
-           "looked up "
-           "becomes. A face that gains degrees and loses light is better left out."));
+    box->setText(QString("%1: ").arg(faceName(face)) +
+                 (fitted.free ? tr("hardly matters") : tr("gains %1").arg(degreesText(fitted.gainDegrees))) +
+                 (light_ ? tr(", light error %1").arg(percentText(-light_->faceGain[static_cast<std::size_t>(face)]))
+                         : QString()));
+    box->setToolTip(tr(
+        "What this face alone changes: the mean angle, and the error of the sampled light (negative is better). Leave "
+        "out a face that improves the angle but worsens the light."));
   }
   QStringList lines;
   for (const std::string& remark : result_->remarks) lines += QString::fromStdString(remark);

@@ -249,8 +249,7 @@ void ProbePanel::updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box)
 void ProbePanel::update() {
   const Probe* probe = editor_.probe();
   setEnabled(probe != nullptr);
-  if (!probe || empty_) showNothing(this, !probe);
-  empty_ = !probe;
+  if (const bool nothing = probe == nullptr; nothing != empty_) showNothing(this, empty_ = nothing);
   if (!probe) {
     for (QLabel* label : {size_, techniqueHelp_}) label->clear();
     several_->hide();

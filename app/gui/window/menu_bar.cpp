@@ -106,7 +106,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
 
   QMenu* help = window->menuBar()->addMenu(tr("Hel&p"));
   view_->addAction(add(help, tr("&Lessons..."), QKeySequence("F1"), &MenuBar::lessonsRequested));
-  keys_ = addToggle(help, tr("&Keys over the picture"), QKeySequence("?"), &MenuBar::keysSwitched);
+  keys_ = addToggle(help, tr("&Keys over the picture"), {}, &MenuBar::keysSwitched);
   keys_->setShortcuts({QKeySequence("?"), QKeySequence("Shift+?")});  // where the layout has it above another letter
   keys_->setChecked(false);
   add(help, tr("&Mouse and keys, about"), QKeySequence("Shift+F1"), &MenuBar::aboutRequested);
@@ -131,11 +131,11 @@ void MenuBar::buildLook() {
 void MenuBar::buildShown() {
   add(view_, tr("&Hide the selection"), QKeySequence("H"), &MenuBar::hideRequested)
       ->setToolTip(tr("In this window alone; the scene's file, captures and exported pictures have it"));
-  add(view_, tr("Show a&ll that is hidden"), QKeySequence("Alt+H"), &MenuBar::showAllRequested);
-  add(view_, tr("The &selection alone"), QKeySequence("/"), &MenuBar::isolateRequested)
+  add(view_, tr("Show &all hidden"), QKeySequence("Alt+H"), &MenuBar::showAllRequested);
+  add(view_, tr("&Isolate the selection"), QKeySequence("/"), &MenuBar::isolateRequested)
       ->setToolTip(tr("Of a probe: with the objects that reach into its box. Once more shows the others again"));
-  cutaway_ = addToggle(view_, tr("Cu&t away what stands before the probe's box"), QKeySequence("Alt+B"),
-                       &MenuBar::cutawaySwitched);
+  cutaway_ =
+      addToggle(view_, tr("Cu&t away what hides the probe's box"), QKeySequence("Alt+B"), &MenuBar::cutawaySwitched);
   cutaway_->setObjectName("cutaway");
   cutaway_->setToolTip(tr("Looks into a room from outside. Exported pictures, errors and captures are not cut"));
   cutaway_->setChecked(false);

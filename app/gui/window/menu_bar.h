@@ -53,8 +53,9 @@ class MenuBar : public QObject {
   void showDifference(bool on);
   /// What can be done with the selected probe, for other menus.
   std::vector<QAction*> probeActions() const { return {frame_, lookFrom_, fit_, bake_, duplicate_, copy_, delete_}; }
-  /// The tool was switched elsewhere.
+  /// Whether it runs.
   void showLiveLink(bool on);
+  /// The tool was switched elsewhere.
   void showExplainTool(bool on);
 
  signals:

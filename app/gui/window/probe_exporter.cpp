@@ -86,7 +86,7 @@ void ProbeExporter::start(const ExportSettings& settings, const QString& folder)
   settings_ = settings;
   folder_ = folder;
   running_ = true;
-  emit message((waiting_.size() == 1 ? tr("Exporting 1 probe") : tr("Exporting %1 probes").arg(waiting_.size())));
+  emit message(waiting_.size() == 1 ? tr("Exporting 1 probe") : tr("Exporting %1 probes").arg(waiting_.size()));
   turn_.start();
 }
 

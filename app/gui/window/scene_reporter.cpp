@@ -16,16 +16,8 @@
 
 namespace boxprobe {
 
-namespace {
-
-constexpr int kPaths = 128;  // as the command has it
-
-}  // namespace
-
 SceneReporter::SceneReporter(std::function<Shown()> shown, QWidget* window)
-    : QObject(window), shown_(std::move(shown)), window_(window) {
-  settings_.paths = kPaths;
-}
+    : QObject(window), shown_(std::move(shown)), window_(window) {}
 
 void SceneReporter::ask() {
   QString path = QFileDialog::getSaveFileName(window_, tr("Report"), QDir(shown_().folder).filePath("report.html"),
