@@ -122,7 +122,7 @@ TEST_F(OutlinerTest, AnEyeChangesThePictureAndNeitherFileNorCaptures) {
   click(objectRow("sphere 9"), OutlinerModel::kEye);
   EXPECT_FALSE(window_->viewState().shown(Part::Object, "sphere 9"));
   const QImage hidden = picture();
-  const QPoint high = pixelOf({0.4, 0.85, -0.3}).toPoint();  // no handle lies there
+  const QPoint high = pixelOf({0.55, 0.85, -0.3}).toPoint();  // no handle and no line lies there
   EXPECT_NE(hidden.pixel(high), before.pixel(high));
   const double share = differingShare(before, hidden);
   EXPECT_GT(share, 0.001);
@@ -280,6 +280,37 @@ TEST_F(OutlinerTest, NamesAreTypedInPlace) {
   EXPECT_EQ(document().scene().cameras.at(1).name, "desk");
   document().undo();
   EXPECT_FALSE(document().canUndo());
+}
+
+TEST_F(OutlinerTest, DeleteAndDuplicateLeaveProbesThatAreNotSelected) {
+  const Scene before = document().scene();
+  ASSERT_TRUE(document().selectedProbe());
+  const OutlinerModel& model = outliner().model();
+  const auto status = [this] { return window_->statusBar()->currentMessage().toStdString(); };
+  for (const auto& [row, word] : {std::pair(objectRow("pillars"), "pillars is part of the model"),
+                                  std::pair(model.index(0, 0, model.group(Kind::Lights)), "light"),
+                                  std::pair(model.group(Kind::Objects), "Select a probe")}) {
+    click(row);
+    window_->viewport().setFocus();
+    key(Qt::Key_Delete);
+    EXPECT_NE(status().find(word), std::string::npos) << status();
+    key(Qt::Key_D, Qt::ControlModifier);
+    EXPECT_NE(status().find("Only probes"), std::string::npos) << status();
+    EXPECT_TRUE(document().scene() == before);
+  }
+  window_->viewState().selectObjects({"pillars"});
+  const auto menu = window_->tools().pictureMenu().menuAt(pixelOf({0.4, 0.85, -0.3}));
+  for (const QAction* action : menu->actions()) {
+    EXPECT_FALSE(action->shortcut() == QKeySequence(QKeySequence::Delete)) << "it would not delete the probe";
+  }
+  click(probeRow(0));
+  window_->viewport().setFocus();
+  key(Qt::Key_D, Qt::ControlModifier);
+  EXPECT_EQ(document().scene().probes.size(), before.probes.size() + 1);
+  key(Qt::Key_Delete);
+  EXPECT_TRUE(document().scene() == before);
+  document().undo();
+  document().undo();
 }
 
 TEST_F(OutlinerTest, ALightStaysSelectedWhileItIsEdited) {
@@ -454,8 +485,8 @@ TEST_F(RoomTest, FramingStaysIndoorsAndOutdoorsSaysWhatToDo) {
   EXPECT_TRUE(window_->statusBar()->currentMessage().contains("Alt+B"));
 }
 
-// The wall at z = 3 is cut where the box ends little beyond it, and stays where the box goes on, from far and from
-// near.
+// The wall at z = 3, seen from inside, is cut where a box beyond it begins close enough, and stays where the box begins
+// farther before it; from far and from near.
 TEST_F(RoomTest, PicksAgreeWithThePictureAtTheEdgeOfTheCut) {
   const auto at = [this](const glm::dvec3& point) {
     const QPointF pixel = pixelOf(point);
@@ -469,18 +500,19 @@ TEST_F(RoomTest, PicksAgreeWithThePictureAtTheEdgeOfTheCut) {
     return told.surface.object;
   };
   const auto drawn = [this](const glm::dvec3& point) { return QColor(picture().pixel(pixelOf(point).toPoint())); };
-  for (const double from : {3.7, 40.0}) {
-    look({0.9, 1.3, from}, {0.9, 1.3, -1.0});
-    const glm::dvec3 point(0.9 + 0.02 * (from - 3.0), 1.3 + 0.03 * (from - 3.0), 3.0);
+  // From outside the wall north is seen through: its faces look inwards.
+  for (const double from : {2.3, -40.0}) {
+    look({0.9, 1.3, from}, {0.9, 1.3, 8.0});
+    const glm::dvec3 point(0.9 + 0.02 * (3.0 - from), 1.3 + 0.03 * (3.0 - from), 3.0);
     const QColor whole = drawn(point);
-    const std::string wall = at(point);
+    ASSERT_EQ(at(point), "wall south");
     window_->viewState().setCutaway(true);
-    for (const double beyond : {0.03, 0.12}) {
-      window_->editor().commitProbe("Box", [beyond](Probe& probe) {
-        probe.box = {{-4.0, 0.0, -3.0}, {4.0, 3.0, 3.0 + beyond}};
+    for (const double before : {0.03, 0.12}) {
+      window_->editor().commitProbe("Box", [before](Probe& probe) {
+        probe.box = {{-4.0, 0.0, 3.0 - before}, {4.0, 3.0, 9.0}};
       });
-      EXPECT_EQ(at(point) == wall, beyond > 0.1) << from << " " << beyond;
-      EXPECT_EQ(drawn(point) == whole, beyond > 0.1) << from << " " << beyond;
+      EXPECT_EQ(at(point) == "wall south", before > 0.1) << from << " " << before;
+      EXPECT_EQ(drawn(point) == whole, before > 0.1) << from << " " << before;
       document().undo();
     }
     window_->viewState().setCutaway(false);
@@ -503,22 +535,32 @@ TEST_F(RoomTest, RaysPassWhatIsHidden) {
   EXPECT_EQ(*surfaces.meet(down), *sphere);
 }
 
-TEST_F(RoomTest, AClickGoesThroughTheCut) {
-  look({0.5, 4.0, 14.0}, {0.0, 1.0, 0.0});
-  window_->viewport().setFocus();
-  const auto clicked = [this] {
-    const QPointF at = pixelOf({-2.4, 0.0, 1.1});  // the floor, behind a wall; no handle is there
+// A wall that is drawn from inside alone is seen through from outside, and so it is for a click.
+TEST_F(RoomTest, AClickGoesThroughWhatIsSeenThroughAndThroughTheCut) {
+  const auto clicked = [this](const glm::dvec3& point) {
+    window_->viewState().selectObjects({});
+    const QPointF at = pixelOf(point);
     move(at);
     press(at);
     release(at);
     return window_->viewState().objects();
   };
-  const ViewState::Names walled = clicked();
-  EXPECT_EQ(walled.count("floor"), 0u);
+  look({0.5, 4.0, 14.0}, {0.0, 1.0, 0.0});
+  window_->viewport().setFocus();
+  EXPECT_EQ(clicked({-2.4, 0.0, 1.1}), (ViewState::Names{"floor"}));
+  // The box begins behind a sphere and before the wall that is behind it.
+  const glm::dvec3 center = renderer().objectBounds("sphere 1")->center();
+  window_->editor().commitProbe("Box", [&](Probe& probe) {
+    probe.box = {{-4.0, 0.0, center.z + 0.7}, {4.0, 3.0, 3.01}};
+  });
+  look(center - glm::dvec3(0.0, 0.0, 1.4), center);
+  const glm::dvec3 aside = center + glm::dvec3(0.13, 0.11, 0.0);
+  EXPECT_EQ(clicked(aside), (ViewState::Names{"sphere 1"}));
   key(Qt::Key_B, Qt::AltModifier);
   keep("cutaway-room");
-  EXPECT_EQ(clicked(), (ViewState::Names{"floor"}));
+  EXPECT_EQ(clicked(aside), (ViewState::Names{"wall south"}));
   key(Qt::Key_B, Qt::AltModifier);
+  document().undo();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
@@ -16,12 +17,13 @@ namespace boxprobe {
 
 namespace {
 
-/// Möller and Trumbore 1997: how far along `direction`, in its lengths; nothing beside the triangle or behind.
+/// Möller and Trumbore 1997: how far along `direction`, in its lengths; nothing beside the triangle or behind. Of a
+/// triangle that is drawn on one side alone, nothing from behind: `oneSided` is negative where its placement mirrors.
 std::optional<double> meetTriangle(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& a,
-                                   const glm::dvec3& b, const glm::dvec3& c) {
+                                   const glm::dvec3& b, const glm::dvec3& c, std::optional<double> oneSided) {
   const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
   const double determinant = glm::dot(ab, p);
-  if (determinant == 0.0) return std::nullopt;
+  if (determinant == 0.0 || (oneSided && determinant * *oneSided < 0.0)) return std::nullopt;
   const glm::dvec3 from = origin - a, q = glm::cross(from, ab);
   const double u = glm::dot(from, p) / determinant, v = glm::dot(direction, q) / determinant;
   const double t = glm::dot(ac, q) / determinant;
@@ -86,12 +88,15 @@ std::optional<PickedObject> SceneSurfaces::objectAt(const Ray& given) const {
       const glm::dvec3 origin(back * glm::dvec4(ray.origin, 1.0)), along(back * glm::dvec4(ray.direction, 0.0));
       const Mesh& mesh = model.meshes[static_cast<std::size_t>(instance.mesh)];
       const auto corner = [&](std::size_t at) { return glm::dvec3(mesh.positions[mesh.indices[at]]); };
+      const Material* material =
+          mesh.material >= 0 ? &model.materials[static_cast<std::size_t>(mesh.material)] : nullptr;
+      std::optional<double> oneSided;
+      if (material != nullptr && !material->doubleSided) oneSided = glm::determinant(glm::dmat3(place));
       for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
-        const auto t = meetTriangle(origin, along, corner(at), corner(at + 1), corner(at + 2));
+        const auto t = meetTriangle(origin, along, corner(at), corner(at + 1), corner(at + 2), oneSided);
         if (!t || *t >= nearest) continue;
         nearest = *t;
-        const bool own = mesh.material >= 0;
-        picked = {instance.node, own ? model.materials[static_cast<std::size_t>(mesh.material)].name : std::string()};
+        picked = {instance.node, material != nullptr ? material->name : std::string()};
       }
     }
   }

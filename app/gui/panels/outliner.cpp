@@ -124,10 +124,10 @@ Outliner::Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QW
   buttons->setContentsMargins(0, 0, 0, 0);
   buttons->addWidget(addButton(tr("Add"),
                                tr("Adds a probe captured at the centre of the view, with its box fitted to the scene"),
-                               &ProbeCommands::addProbe));
+                               [this] { commands_.addProbe(); }));
   duplicate_ = addButton(tr("Duplicate"), tr("Copies the selected probes, a little aside (Ctrl+D)"),
-                         &ProbeCommands::duplicateProbe);
-  delete_ = addButton(tr("Delete"), tr("Removes the selected probes (Delete)"), &ProbeCommands::deleteProbe);
+                         [this] { duplicateSelected(); });
+  delete_ = addButton(tr("Delete"), tr("Removes the selected probes (Delete)"), [this] { deleteSelected(); });
   buttons->addWidget(duplicate_);
   buttons->addWidget(delete_);
   buttons->addStretch(1);
@@ -166,12 +166,12 @@ QSize Outliner::sizeHint() const {
   return {230, QWidget::sizeHint().height()};
 }
 
-QToolButton* Outliner::addButton(const QString& text, const QString& toolTip, void (ProbeCommands::*action)()) {
+QToolButton* Outliner::addButton(const QString& text, const QString& toolTip, const std::function<void()>& action) {
   auto* button = new QToolButton(this);
   button->setObjectName(text);
   button->setText(text);
   button->setToolTip(toolTip);
-  connect(button, &QToolButton::clicked, &commands_, action);
+  connect(button, &QToolButton::clicked, this, action);
   return button;
 }
 
@@ -245,6 +245,7 @@ void Outliner::choose() {
       emit objectChosen(QString::fromStdString(model_->name(current)));
     }
     if (kind == Kind::Light) emit lightChosen(model_->place(current));
+    if (kind == Kind::Probe) emit probeChosen();
   }
   const auto selected = editor_.document().selectedProbe();
   model_->markShown(editor_.selected().size() > 1 && selected ? static_cast<int>(*selected) : -1);
@@ -258,11 +259,42 @@ void Outliner::rememberSelection() {
   probeShown_ = editor_.document().selectedProbe();
 }
 
-bool Outliner::othersSelected() const {
+bool Outliner::selects(std::initializer_list<Kind> kinds) const {
   const QModelIndexList rows = tree_->selectionModel()->selectedRows();
-  return std::any_of(rows.begin(), rows.end(), [this](const QModelIndex& row) {
-    return model_->kind(row) == Kind::Light || model_->kind(row) == Kind::Camera;
+  return std::any_of(rows.begin(), rows.end(), [&](const QModelIndex& row) {
+    return std::find(kinds.begin(), kinds.end(), model_->kind(row)) != kinds.end();
   });
+}
+
+bool Outliner::othersSelected() const {
+  return selects({Kind::Light, Kind::Camera});
+}
+
+bool Outliner::onlyProbesSelected() const {
+  return state_.objects().empty() && !othersSelected() &&
+         !selects({Kind::Objects, Kind::Lamps, Kind::Lights, Kind::Cameras});
+}
+
+void Outliner::duplicateSelected() {
+  if (onlyProbesSelected()) return commands_.duplicateProbe();
+  emit message(tr("Only probes can be duplicated; select one"));
+}
+
+void Outliner::deleteSelected() {
+  if (onlyProbesSelected()) return commands_.deleteProbe();
+  const ViewState::Names& objects = state_.objects();
+  if (objects.size() == 1) {
+    emit message(tr("%1 is part of the model and cannot be deleted; H hides it in this window")
+                     .arg(QString::fromStdString(*objects.begin())));
+  } else if (!objects.empty()) {
+    emit message(tr("Objects are part of the model and cannot be deleted; H hides them in this window"));
+  } else if (selects({Kind::Light})) {
+    emit message(tr("A light is deleted in the panel Sky and lights"));
+  } else if (selects({Kind::Camera})) {
+    emit message(tr("A camera is deleted in its menu (right click)"));
+  } else {
+    emit message(tr("Select a probe to delete"));
+  }
 }
 
 // Rows of lights and cameras stay selected while they are edited: nothing else says that they are not.

@@ -5,6 +5,8 @@
 
 #include <QPersistentModelIndex>
 #include <QWidget>
+#include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <set>
@@ -40,6 +42,9 @@ class Outliner : public QWidget {
   void showStates(const std::vector<BakeStateLook>& looks);
   /// All probes that are listed.
   void selectAll();
+  /// The selected probes. Where something else is selected, nothing is, and a message says what to do instead.
+  void duplicateSelected();
+  void deleteSelected();
   /// What can be done with that row.
   std::unique_ptr<QMenu> menuFor(const QModelIndex& row);
 
@@ -54,11 +59,13 @@ class Outliner : public QWidget {
   /// Once more: all are shown.
   void aloneWanted(const ViewState::Names& probes, const ViewState::Names& objects);
   void showAllRequested();
+  void probeChosen();
   void objectChosen(const QString& node);
   void lightChosen(std::size_t index);
   void cameraWanted(int index);
   void cameraRenamed(int index, const QString& name);
   void cameraDeleted(int index);
+  void message(const QString& text);
 
  private:
   void choose();
@@ -66,13 +73,16 @@ class Outliner : public QWidget {
   void followSelection();
   void showSelection();
   void rememberSelection();
+  bool selects(std::initializer_list<OutlinerModel::Kind> kinds) const;
   /// A light or a camera.
   bool othersSelected() const;
+  /// Nothing that commands on probes do not mean: object, light, camera, or a group of these.
+  bool onlyProbesSelected() const;
   void toggle(const QModelIndex& mark, bool alone);
   void deselectHidden();
   void openGroups();
   void keepOpen(const QModelIndex& row, bool open);
-  QToolButton* addButton(const QString& text, const QString& toolTip, void (ProbeCommands::*action)());
+  QToolButton* addButton(const QString& text, const QString& toolTip, const std::function<void()>& action);
   void addProbeEntries(QMenu& menu, const QModelIndex& row);
   void addViewEntries(QMenu& menu, const QModelIndex& row);
   void addCameraEntries(QMenu& menu, const QModelIndex& row);

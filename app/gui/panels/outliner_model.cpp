@@ -468,6 +468,7 @@ QVariant OutlinerModel::nameData(const Item& item, int role) const {
 QVariant OutlinerModel::markData(const Item& item, int column, int role) const {
   const auto part = partOf(item.kind);
   if (!part || (role != Qt::DecorationRole && role != Qt::AccessibleTextRole && role != Qt::ToolTipRole)) return {};
+  if (groupOf(item.kind) && item.children.empty()) return {};
   const std::function<bool(const Item&, const Test&)> holdsFor = [&](const Item& of, const Test& test) {
     if (!groupOf(of.kind)) return test(of.name);
     return std::all_of(of.children.begin(), of.children.end(),

@@ -53,6 +53,8 @@ class MenuBar : public QObject {
   void showDifference(bool on);
   /// What can be done with the selected probe, for other menus.
   std::vector<QAction*> probeActions() const { return {frame_, lookFrom_, fit_, bake_, duplicate_, copy_, delete_}; }
+  /// Those of them that act on the probe even while an object is selected.
+  std::vector<QAction*> probeActionsBesideObject() const { return {lookFrom_, fit_, bake_, copy_}; }
   /// Whether it runs.
   void showLiveLink(bool on);
   /// The tool was switched elsewhere.

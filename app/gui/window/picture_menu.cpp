@@ -58,7 +58,10 @@ std::unique_ptr<QMenu> PictureMenu::menuAt(const QPointF& pixel) {
   if (parts_.editor.probe() != nullptr) {
     const QString name = parts_.editor.selectedName();
     menu->addSection(parts_.editor.selected().size() > 1 ? name : tr("Probe %1").arg(name));
-    for (QAction* action : parts_.menu.probeActions()) menu->addAction(action);
+    const bool alone = parts_.state.objects().empty();
+    for (QAction* action : alone ? parts_.menu.probeActions() : parts_.menu.probeActionsBesideObject()) {
+      menu->addAction(action);
+    }
   }
   const auto object = parts_.surfaces.objectAt(parts_.viewport.view().ray({pixel.x(), pixel.y()}));
   if (!object || object->node.empty()) return menu;

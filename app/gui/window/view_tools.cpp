@@ -151,6 +151,7 @@ void ViewTools::connectOutliner() {
   connect(outliner, &Outliner::lightChosen, &panels->lightPanel(), &LightPanel::choose);
   connect(outliner, &Outliner::cameraWanted, &parts_.menu, &MenuBar::cameraChosen);
   connect(outliner, &Outliner::cameraRenamed, views_, &ViewCommands::renameCamera);
+  connect(outliner, &Outliner::message, &parts_.status, &StatusLine::showMessage);
   connect(outliner, &Outliner::cameraDeleted, views_, &ViewCommands::deleteCamera, Qt::QueuedConnection);
 }
 
