@@ -48,21 +48,17 @@ constexpr double kWheelStep = 120.0;  ///< eighths of a degree: one notch of a u
 }  // namespace
 
 Viewport::Viewport(QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), readout_(new QLabel(this)), invitation_(new QLabel(this)) {
+    : QVTKOpenGLNativeWidget(parent), readout_(new QLabel(this)) {
   setRenderWindow(window_.Get());
   // VTK's own mouse interaction would render at every event, and knows nothing of handles.
   interactor()->SetInteractorStyle(nullptr);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(280, 240);  // beside outliner and panels in 1024 pixels
-  for (QLabel* label : {readout_, invitation_}) {
-    label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    label->setStyleSheet(
-        "QLabel { color: #f4f4f4; background: rgba(16, 18, 22, 210); border-radius: 5px; padding: 6px 10px; }");
-    label->hide();
-  }
-  invitation_->setWordWrap(true);
-  invitation_->setAlignment(Qt::AlignCenter);
+  readout_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  readout_->setStyleSheet(
+      "QLabel { color: #f4f4f4; background: rgba(16, 18, 22, 210); border-radius: 5px; padding: 6px 10px; }");
+  readout_->hide();
 }
 
 Viewport::~Viewport() = default;
@@ -109,19 +105,6 @@ void Viewport::setPicking(bool on) {
   picking_ = on;
   pressed_.reset();
   setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
-}
-
-void Viewport::showInvitation(const QString& text) {
-  invitation_->setText(text);
-  invitation_->setVisible(!text.isEmpty());
-  placeInvitation();
-}
-
-void Viewport::placeInvitation() {
-  constexpr int kWidest = 460, kBeside = 12;
-  invitation_->setFixedWidth(std::clamp(width() - 2 * kBeside, 1, kWidest));
-  invitation_->adjustSize();
-  invitation_->move((width() - invitation_->width()) / 2, (height() - invitation_->height()) / 2);
 }
 
 void Viewport::initializeGL() {
@@ -240,7 +223,6 @@ void Viewport::showEvent(QShowEvent* event) {
 
 void Viewport::resizeEvent(QResizeEvent* event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
-  placeInvitation();
   emit becameReady();
 }
 

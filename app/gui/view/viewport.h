@@ -44,8 +44,6 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void showReadout(const QString& text, const QPointF& atPixel);
   /// While on, a click without a drag is told by `clicked`, and the camera waits until a drag is one.
   void setPicking(bool on);
-  /// A line in the middle while there is nothing to see; an empty text hides it.
-  void showInvitation(const QString& text);
 
  signals:
   void cameraMoved();
@@ -78,7 +76,6 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void placeInvitation();
   void clickEnded(Qt::MouseButton button, const QPointF& at);
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
@@ -89,7 +86,6 @@ class Viewport : public QVTKOpenGLNativeWidget {
   bool softwareRenderer_ = false;
   std::optional<QPointF> pressed_;  ///< while what began there may still become a click
   QLabel* readout_;
-  QLabel* invitation_;
 };
 
 }  // namespace boxprobe

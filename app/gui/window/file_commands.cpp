@@ -98,6 +98,12 @@ void FileCommands::open() {
   if (!path.isEmpty()) openPath(path);
 }
 
+void FileCommands::openModel() {
+  const QString path = QFileDialog::getOpenFileName(window_, tr("New from a model"), folder(),
+                                                    tr("Models (%1)").arg(QString::fromStdString(modelFilePatterns())));
+  if (!path.isEmpty()) openPath(path);
+}
+
 bool FileCommands::openPath(const QString& path) {
   return openWith(path, {});
 }

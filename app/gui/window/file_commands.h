@@ -40,6 +40,8 @@ class FileCommands : public QObject {
   FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window);
 
   void open();
+  /// A bare model, which becomes a new scene.
+  void openModel();
   /// After asking about unsaved changes. False if the user kept the scene or the file could not be read.
   bool openPath(const QString& path);
   /// The same again, its first model with the materials of this variant.

@@ -18,6 +18,7 @@
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/fit_panel.h"
+#include "app/gui/panels/outliner.h"
 #include "app/gui/panels/place_panel.h"
 #include "app/gui/panels/probe_commands.h"
 #include "app/gui/view/animation_tools.h"
@@ -45,7 +46,9 @@
 #include "app/gui/window/projector.h"
 #include "app/gui/window/scene_reporter.h"
 #include "app/gui/window/status_line.h"
+#include "app/gui/window/thumbnail_keeper.h"
 #include "app/gui/window/view_tools.h"
+#include "app/gui/window/welcome.h"
 #include "app/session/opened_glb.h"
 #include "filters/core/geometry/probe_at.h"
 #include "filters/fit/rays/triangle_sight.h"
@@ -145,6 +148,15 @@ MainWindow::MainWindow()
                                      },
                                      [this] { return probeWidget_->dragging(); }},
                                     this)),
+      welcome_(new Welcome(viewport_, QString::fromStdString(dataFile("scenes")))),
+      thumbnails_(new ThumbnailKeeper(
+          {[this] {
+             const bool own = lessons_->sceneName().isEmpty();
+             return own ? QString::fromStdString(ownPathOf(document_.path(), document_.scene())) : QString();
+           },
+           [this] { return viewport_->readyToDraw() && !renderer_->workPending() && !document_.previewing(); },
+           [this] { return viewport_->grabFramebuffer(); }},
+          this)),
       panels_(new PanelDocks(this, {*editor_, *state_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); },
                        [this](const Ray& ray) { return surfaces_->meet(ray); }, [this] { return renderer_->bounds(); });
@@ -165,6 +177,7 @@ MainWindow::MainWindow()
   connectDebugView();
   connectLessons();
   connectFitter();
+  connectWelcome();
   tools_ = new ViewTools({document_, *editor_, *state_, *renderer_, *viewport_, *shownHandles_, *probeWidget_,
                           *surfaces_, *menu_, *panels_, *debugView_, *status_, scheduler(), [this] { return models_; }},
                          this);
@@ -216,7 +229,7 @@ void MainWindow::connectDocument() {
              [this](const Changes& changes) { debugView_->documentChanged(changes); });
   views_.add("lessons", ChangeKinds::all(), [this](const Changes&) { lessons_->documentChanged(); });
   views_.add("title", {&Changes::file, &Changes::models}, [this](const Changes&) { updateTitle(); });
-  views_.add("invitation", {&Changes::models}, [this](const Changes&) { updateInvitation(); });
+  views_.add("welcome", {&Changes::models}, [this](const Changes&) { updateWelcome(); });
   views_.add("unit", {&Changes::models}, [this](const Changes&) { fitter_->modelsChanged(); });
   views_.add("animation", {&Changes::models}, [this](const Changes&) { animation_->modelsChanged(); });
   views_.add("work", ChangeKinds::all(), [this](const Changes&) { scheduler().sceneChanged(); });
@@ -265,8 +278,8 @@ void MainWindow::connectEditing() {
   connect(menu_, &MenuBar::redoRequested, editor_.get(), &Editor::redo);
   connect(menu_, &MenuBar::historyChosen, editor_.get(), [this](int position) { editor_->goTo(position); });
   connect(menu_, &MenuBar::addRequested, &panels_->probeCommands(), &ProbeCommands::addProbe);
-  connect(menu_, &MenuBar::duplicateRequested, &panels_->probeCommands(), &ProbeCommands::duplicateProbe);
-  connect(menu_, &MenuBar::deleteRequested, &panels_->probeCommands(), &ProbeCommands::deleteProbe);
+  connect(menu_, &MenuBar::duplicateRequested, &panels_->outliner(), &Outliner::duplicateSelected);
+  connect(menu_, &MenuBar::deleteRequested, &panels_->outliner(), &Outliner::deleteSelected);
   connect(menu_, &MenuBar::escapePressed, this, &MainWindow::escape);
   connect(menu_, &MenuBar::handleModeChosen, probeWidget_, &ProbeWidget::setMode);
   connect(probeWidget_, &ProbeWidget::modeChanged, menu_, &MenuBar::showHandleMode);
@@ -402,11 +415,19 @@ void MainWindow::updateTitle() {
   setWindowModified(document_.modified());
 }
 
-void MainWindow::updateInvitation() {
+void MainWindow::connectWelcome() {
+  connect(welcome_, &Welcome::openRequested, files_, &FileCommands::open);
+  connect(welcome_, &Welcome::modelRequested, files_, &FileCommands::openModel);
+  connect(welcome_, &Welcome::lessonsRequested, this, &MainWindow::showLessons);
+  // Later: the cards are made anew.
+  connect(welcome_, &Welcome::chosen, files_, &FileCommands::openPath, Qt::QueuedConnection);
+  connect(files_, &FileCommands::recentChanged, thumbnails_, &ThumbnailKeeper::opened);
+}
+
+void MainWindow::updateWelcome() {
   const bool empty = document_.scene().models.empty();
-  viewport_->showInvitation(empty ? tr("Drop a scene or a model here, or open one with Ctrl+O.\nNew to reflection "
-                                       "probes? F1 opens the lessons.")
-                                  : QString());
+  if (empty && !welcome_->isVisibleTo(viewport_)) welcome_->setRecent(recentFiles());
+  welcome_->setVisible(empty);
 }
 
 void MainWindow::showScene(LoadedScene loaded) {

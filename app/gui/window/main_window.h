@@ -41,8 +41,10 @@ class SceneReporter;
 class SceneRenderer;
 class SceneSurfaces;
 class StatusLine;
+class ThumbnailKeeper;
 class ViewTools;
 class Viewport;
+class Welcome;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -114,7 +116,8 @@ class MainWindow : public QMainWindow {
   void takePose(const std::vector<std::shared_ptr<const Model>>& models);
   void escape();
   void updateTitle();
-  void updateInvitation();
+  void connectWelcome();
+  void updateWelcome();
   double pictureAspect() const;  ///< width over height
 
   Document document_;
@@ -138,6 +141,8 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   ModelFitter* fitter_;
   AnimationTools* animation_;
+  Welcome* welcome_;  ///< over the picture while no scene is open
+  ThumbnailKeeper* thumbnails_;
   PanelDocks* panels_;
   ViewTools* tools_ = nullptr;
   LessonDock* lessonDock_;
