@@ -28,6 +28,7 @@ class LightTest : public WindowTest {
 TEST_F(LightTest, ShadowsAreAChoiceAndTheirSoftnessAField) {
   auto* angle = window_->findChild<ValueField*>("lightAngle");
   ASSERT_NE(angle, nullptr);
+  bring(angle);
   EXPECT_FALSE(angle->isVisibleTo(window_)) << "of a light without shadows there is nothing to soften";
   choose("lightShadows", 1);
   EXPECT_EQ(document().scene().lights[0].shadows, LightShadows::Coverage);

@@ -17,6 +17,7 @@
 #include <QProcessEnvironment>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTabWidget>
 #include <QTest>
 #include <QToolButton>
 #include <cstdio>
@@ -55,6 +56,28 @@ class WindowPictures : public WindowTest {
     std::printf("%s\n", path.toStdString().c_str());
   }
 };
+
+TEST_F(WindowPictures, WelcomeAndInspectors) {
+  const auto tabs = window_->findChild<QTabWidget*>("inspectors");
+  for (const auto& [theme, look] : {std::pair(Theme::Dark, "dark"), std::pair(Theme::Light, "light")}) {
+    applyWindowStyle(*qApp, theme);
+    for (const auto& [width, height] : {std::pair(1440, 900), std::pair(1024, 700)}) {
+      const std::string ending = std::string("-") + look + "-" + std::to_string(width);
+      window_->showScene(scene());
+      size(width, height);
+      window_->resizeDocks({window_->findChild<QDockWidget*>("outliner")}, {230}, Qt::Horizontal);
+      for (int i = 0; i < tabs->count(); ++i) {
+        tabs->setCurrentIndex(i);
+        keep((tabs->tabText(i).toLower().toStdString() + ending).c_str());
+      }
+      tabs->setCurrentIndex(0);
+      window_->showScene(LoadedScene());
+      QTest::qWait(2000);  // for its thumbnails
+      keep(("welcome" + ending).c_str());
+    }
+  }
+  applyWindowStyle(*qApp, Theme::Dark);
+}
 
 TEST_F(WindowPictures, Placed) {
   size(1440, 900);

@@ -6,6 +6,7 @@
 #include <QDeadlineTimer>
 #include <QEventLoop>
 #include <QScrollArea>
+#include <QTabWidget>
 #include <QTest>
 #include <QWindow>
 
@@ -71,6 +72,7 @@ void WindowTest::SetUp() {
   window_->pictureWork().setRest(kNeverMilliseconds);
   window_->refinement().setRest(kNeverMilliseconds);
   window_->resize(1440, 700);
+  window_->findChild<QTabWidget*>("inspectors")->setCurrentIndex(0);
   window_->showScene(scene());
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_, 60000));
@@ -159,7 +161,15 @@ void WindowTest::keyUp(Qt::Key key) {
   QTest::keyRelease(window_->windowHandle(), key);
 }
 
+void WindowTest::bring(QWidget* widget) {
+  auto* tabs = window_->findChild<QTabWidget*>("inspectors");
+  for (int i = 0; i < tabs->count(); ++i) {
+    if (tabs->widget(i)->isAncestorOf(widget)) tabs->setCurrentIndex(i);
+  }
+}
+
 void WindowTest::type(QWidget* field, const QString& text) {
+  bring(field);
   field->setFocus();
   key(Qt::Key_A, Qt::ControlModifier);
   for (const QChar c : text) QTest::keyClick(window_->windowHandle(), c.toLatin1());

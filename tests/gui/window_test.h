@@ -59,6 +59,8 @@ class WindowTest : public ::testing::Test {
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
   void keyDown(Qt::Key key);
   void keyUp(Qt::Key key);
+  /// The inspector that has it, as by a click on its tab.
+  void bring(QWidget* widget);
   /// Into the field: selects all, types, Enter.
   void type(QWidget* field, const QString& text);
 

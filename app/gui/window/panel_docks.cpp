@@ -5,15 +5,20 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <QComboBox>
 #include <QDockWidget>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QProgressDialog>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/edit/probe_gauge.h"
+#include "app/gui/edit/view_state.h"
 #include "app/gui/explain/debug_view.h"
 #include "app/gui/explain/explain_card.h"
 #include "app/gui/explain/surface_view_panel.h"
@@ -34,6 +39,7 @@
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/panel_section.h"
+#include "app/gui/window/inspectors.h"
 #include "app/gui/window/menu_bar.h"
 #include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
@@ -55,21 +61,10 @@ QScrollArea* scrolled(QWidget* content) {
   return scroll;
 }
 
-QWidget* column(std::initializer_list<QWidget*> panels) {
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(8, 8, 8, 8);
-  layout->setSpacing(6);
-  for (QWidget* panel : panels) layout->addWidget(panel);
-  layout->addStretch(1);
-  return content;
-}
-
 }  // namespace
 
 PanelDocks::PanelDocks(QMainWindow* window, const Parts& parts) : QObject(window), window_(window), parts_(parts) {
-  // Six names do not fit side by side.
-  window_->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
+  window_->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::South);
   buildOutliner();
   buildProbes();
   buildPreview();
@@ -126,14 +121,25 @@ void PanelDocks::buildProbes() {
   objectPanel_ = new ObjectPanel(editor);
   lightPanel_ = new LightPanel(editor, [&renderer] { return renderer.currentCamera(); });
   picturePanel_ = new PicturePanel(editor);
-  QScrollArea* panels = column_ = scrolled(column({bakePanel_, fitPanel_, placePanel_, probePanel_, capturePanel_,
-                                                   materialPanel_, objectPanel_, lightPanel_, picturePanel_}));
-  // What the widest panel asks for beside the scroll bar: a column that is cut off at its right edge cannot be
-  // scrolled.
-  const int asked = panels->widget()->minimumSizeHint().width() + panels->verticalScrollBar()->sizeHint().width();
-  panels->setMinimumWidth(std::max(kPanelWidth, asked));
-  add(tr("Probes"), "probes", withSearch(panels, tr("Find a setting")))
+  inspectors_ = new Inspectors;
+  using Page = Inspectors::Page;
+  inspectors_->setPanels(Page::Probe, {bakePanel_, fitPanel_, placePanel_, probePanel_, capturePanel_});
+  inspectors_->setPanels(Page::Object, {objectPanel_, materialPanel_});
+  inspectors_->setPanels(Page::Scene, {lightPanel_, picturePanel_});
+  inspectors_->setMinimumWidth(std::max(kPanelWidth, inspectors_->minimumSizeHint().width()));
+  QWidget* searched = withSearch(inspectors_, tr("Find a setting"));
+  connect(searched->findChild<QLineEdit*>("search"), &QLineEdit::textChanged, inspectors_, &Inspectors::turnToFound);
+  add(tr("Inspector"), "probes", searched)
       ->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  connect(&parts_.state, &ViewState::changed, this, &PanelDocks::showHeadings);
+  for (const auto& [panel, name] :
+       {std::pair<QWidget*, const char*>{objectPanel_, "object"}, {materialPanel_, "material"}}) {
+    connect(panel->findChild<QComboBox*>(name), &QComboBox::currentTextChanged, this, &PanelDocks::showHeadings);
+  }
+  // The outliner is where a user says what is to be inspected; a click in the picture turns no page.
+  connect(outliner_, &Outliner::probeChosen, this, [this] { inspectors_->turnTo(Inspectors::Page::Probe); });
+  connect(outliner_, &Outliner::objectChosen, this, [this] { inspectors_->turnTo(Inspectors::Page::Object); });
+  connect(outliner_, &Outliner::lightChosen, this, [this] { inspectors_->turnTo(Inspectors::Page::Scene); });
   connect(&editor, &Editor::selectionChanged, this, &PanelDocks::showSelection);
   connect(bakePanel_, &BakePanel::statesChanged, outliner_, &Outliner::showStates);
   connect(bakePanel_, &BakePanel::message, this, &PanelDocks::message);
@@ -161,12 +167,59 @@ void PanelDocks::showSelection() {
   capturePanel_->update();
   bakePanel_->update();
   parts_.menu.showSelected(parts_.editor.selected().size());
+  showHeadings();
+}
+
+void PanelDocks::showHeadings() {
+  using Page = Inspectors::Page;
+  const Scene& scene = parts_.editor.scene();
+  inspectors_->setEmpty(scene.models.empty());
+  if (scene.models.empty()) {
+    for (const Page page : {Page::Probe, Page::Object, Page::Scene}) {
+      inspectors_->setHeading(page, tr("No scene"), tr("Open a scene or a model (Ctrl+O)."));
+    }
+    return;
+  }
+  const std::size_t probes = parts_.editor.selected().size();
+  const Probe* probe = parts_.editor.probe();
+  if (probe == nullptr) {
+    inspectors_->setHeading(Page::Probe, tr("No probe"),
+                            scene.probes.empty()
+                                ? tr("Add one (Ctrl+Shift+A), or place one in every room (Ctrl+Shift+F).")
+                                : tr("Select one in the outliner or in the picture."));
+  } else {
+    const QString name = QString::fromStdString(probe->name);
+    inspectors_->setHeading(
+        Page::Probe, probes > 1 ? parts_.editor.selectedName() : name,
+        probes > 1 ? tr("The fields show %1; edits go to all of them.").arg(name)
+                   : tr("Probe %1 of %2").arg(*parts_.editor.document().selectedProbe() + 1).arg(scene.probes.size()));
+  }
+  const ViewState::Names& objects = parts_.state.objects();
+  const QString node = objectPanel_->findChild<QComboBox*>("object")->currentText();
+  const QString material = materialPanel_->findChild<QComboBox*>("material")->currentText();
+  if (objects.count(node.toStdString()) == 0) {
+    inspectors_->setHeading(Page::Object, tr("No object selected"),
+                            tr("The lists below choose an object and a material, too."));
+  } else {
+    const QString own = materialsOf(node).contains(material) ? tr("Its material: %1").arg(material)
+                                                             : tr("Below: the material %1").arg(material);
+    inspectors_->setHeading(Page::Object, node,
+                            objects.size() > 1 ? tr("One of %1 selected. %2").arg(objects.size()).arg(own) : own);
+  }
+  const std::string& path = parts_.editor.document().path();
+  const QString file = QFileInfo(QString::fromStdString(path.empty() ? scene.models.front().file : path)).fileName();
+  inspectors_->setHeading(
+      Page::Scene, file,
+      tr("Sky, lights and picture. Cameras: %1, lights: %2").arg(scene.cameras.size()).arg(scene.lights.size()));
 }
 
 void PanelDocks::showGhosts() {
   std::vector<Probe> ghosts = placeGhosts_;
   if (fitGhost_) ghosts.push_back(*fitGhost_);
-  if (!ghosts.empty()) first_->raise();  // what is to be reviewed must be seen
+  if (!ghosts.empty()) {  // what is to be reviewed must be seen
+    first_->raise();
+    inspectors_->turnTo(Inspectors::Page::Probe);
+  }
   emit ghostsChanged(ghosts);
 }
 
@@ -202,7 +255,7 @@ void PanelDocks::buildDebug() {
 
 void PanelDocks::buildCost() {
   costPanel_ = new CostPanel(parts_.editor);
-  QDockWidget* dock = add(tr("Run time against error"), "cost", costPanel_);
+  QDockWidget* dock = add(tr("Cost"), "cost", costPanel_);
   connect(dock, &QDockWidget::visibilityChanged, costPanel_, &CostPanel::setWatched);
   connect(costPanel_, &CostPanel::message, this, &PanelDocks::message);
   connect(costPanel_, &CostPanel::failed, this, &PanelDocks::failed);
@@ -257,6 +310,8 @@ void PanelDocks::subscribe(ChangeViews& views) {
             [this](const C&) { outliner_->update(); });
   views.add("probe commands", {&C::probeList, &C::selection},
             [this](const C&) { parts_.menu.showSelected(parts_.editor.selected().size()); });
+  views.add("inspectors' headings", {&C::probeList, &C::selection, &C::lights, &C::cameras, &C::models, &C::file},
+            [this](const C&) { showHeadings(); });
   views.add("fit panel", selectedProbeKinds(), [this](const C&) { fitPanel_->update(); });
   views.add("live error",
             {&C::probeShape, &C::probeCapture, &C::probeList, &C::selection, &C::materials, &C::objects, &C::models,
@@ -285,6 +340,7 @@ void PanelDocks::subscribe(ChangeViews& views) {
 }
 
 void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
+  models_ = models;
   outliner_->setModels(models);
   capturePanel_->setModels(models);
   fitPanel_->setModels(models);
@@ -294,16 +350,28 @@ void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& mode
   costPanel_->sceneReplaced();
 }
 
+QStringList PanelDocks::materialsOf(const QString& node) const {
+  QStringList names;
+  for (const auto& model : models_) {
+    for (const Instance& instance : model->instances) {
+      const int material = model->meshes[static_cast<std::size_t>(instance.mesh)].material;
+      if (material < 0 || instance.node != node.toStdString()) continue;
+      names += QString::fromStdString(model->materials[static_cast<std::size_t>(material)].name);
+    }
+  }
+  return names;
+}
+
 void PanelDocks::show(const QString& node, const QString& material) {
-  materialPanel_->choose(material.toStdString());
+  const QString own = material.isEmpty() ? materialsOf(node).value(0) : material;
+  materialPanel_->choose(own.toStdString());
   objectPanel_->choose(node.toStdString());
 }
 
 void PanelDocks::reveal(const QString& node, const QString& material) {
   show(node, material);
   first_->raise();
-  column_->ensureWidgetVisible(objectPanel_);
-  column_->ensureWidgetVisible(materialPanel_);
+  inspectors_->reveal(objectPanel_);
 }
 
 void PanelDocks::stopReading() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,7 +14,6 @@
 #include "filters/core/scene/scene.h"
 
 class QDockWidget;
-class QScrollArea;
 class QMainWindow;
 class QWidget;
 
@@ -26,6 +26,7 @@ class DebugView;
 class Editor;
 class FitPanel;
 class FramePanel;
+class Inspectors;
 class LightPanel;
 class MaterialPanel;
 class MenuBar;
@@ -61,7 +62,8 @@ class PanelDocks : public QObject {
   void subscribe(ChangeViews& views);
   /// Other geometry, in the order of scene.models.
   void setModels(const std::vector<std::shared_ptr<const Model>>& models);
-  /// Their fields show the object and the material of these names; nothing is raised or scrolled.
+  /// Their fields show the object and the material of these names, without the latter the object's own; nothing is
+  /// raised, turned or scrolled.
   void show(const QString& node, const QString& material);
   /// The same, and they are brought into view.
   void reveal(const QString& node, const QString& material);
@@ -93,10 +95,13 @@ class PanelDocks : public QObject {
   FrameCosts measureCosts();
   void showGhosts();
   void showSelection();
+  void showHeadings();
+  QStringList materialsOf(const QString& node) const;
 
   QMainWindow* window_;
+  std::vector<std::shared_ptr<const Model>> models_;
   Parts parts_;
-  QScrollArea* column_ = nullptr;
+  Inspectors* inspectors_ = nullptr;
   QDockWidget* first_ = nullptr;  ///< the others are tabs beside it
   Outliner* outliner_ = nullptr;
   ProbeCommands* commands_ = nullptr;
