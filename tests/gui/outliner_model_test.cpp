@@ -110,7 +110,7 @@ TEST(OutlinerModel, FillingAndFindingAreLinear) {
     const std::size_t once = model.namesExamined();
     model.show(scene, words);
     EXPECT_EQ(resets, 0);
-    EXPECT_EQ(model.namesExamined(), 2 * once);
+    EXPECT_EQ(model.namesExamined(), once) << "the names are the same";
     return once;
   };
   EXPECT_EQ(examined(300, {}), 300u);

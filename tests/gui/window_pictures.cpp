@@ -64,8 +64,8 @@ TEST_F(WindowPictures, WelcomeAndInspectors) {
     for (const auto& [width, height] : {std::pair(1440, 900), std::pair(1024, 700)}) {
       const std::string ending = std::string("-") + look + "-" + std::to_string(width);
       window_->showScene(scene());
-      size(width, height);
       window_->resizeDocks({window_->findChild<QDockWidget*>("outliner")}, {230}, Qt::Horizontal);
+      size(width, height);
       for (int i = 0; i < tabs->count(); ++i) {
         tabs->setCurrentIndex(i);
         keep((tabs->tabText(i).toLower().toStdString() + ending).c_str());
