@@ -45,16 +45,16 @@ BpGlass bpLookThrough(vec3 positionView, vec3 normalView, vec3 viewView, float r
   object.radius = bpGlassRadius;
   BpGlass glass;
 #if BP_GLASS_FORM == 3 && !BP_GLASS_SHEET
-  glass.seen = lookThroughGlass(bpGlassShell, object, position, normal, view, roughnessWithin(roughness), !gl_FrontFacing,
+  glass.seen = lookThroughGlass(bpGlassShell, object, position, normal, view, roughnessWithin(roughness), gl_FrontFacing == false,
                                 length(position));
 #else
-  glass.seen = lookThroughGlass(0, object, position, normal, view, roughnessWithin(roughness), !gl_FrontFacing,
+  glass.seen = lookThroughGlass(0, object, position, normal, view, roughnessWithin(roughness), gl_FrontFacing == false,
                                 length(position));
 #endif
   glass.deviation = glassDeviation(object, glass.seen.through, position, view);
   glass.transmittance = glassTransmittance(bpGlassColor, bpGlassReach, glass.seen.through.distance);
   glass.mirrorTransmittance = vec3(1.0f);
-  if (!gl_FrontFacing && BP_GLASS_SHEET == 0)
+  if (gl_FrontFacing == false && BP_GLASS_SHEET == 0)
   {
     glass.mirrorTransmittance = glassTransmittance(bpGlassColor, bpGlassReach,
                                                    glass.seen.followed ? glass.seen.mirrored.distance : length(position));

@@ -131,7 +131,7 @@ void main()
   vec3 albedo = base.rgb;
   vec3 view = normalize(bpEye - bpPosition);
   vec3 normal = normalize(directionOr(bpNormal, view));
-  if (!gl_FrontFacing) { normal = -normal; }
+  if (gl_FrontFacing == false) { normal = -normal; }
   vec3 reflection = reflectedView(normal, view);
   float cosine = bpCosine(normal, view);
   vec3 f0 = mix(vec3(bpMetalRoughF0.z), albedo, metallic);

@@ -44,6 +44,14 @@ struct SunUse {
   std::size_t map = 0;  ///< in SceneResources::sunShadows
 };
 
+/// What a draw goes without, because the driver has too few texture units (fewer_samplers.h).
+struct GivenUp {
+  std::size_t impostors = 0;  ///< drawn by their box
+  std::size_t probes = 0;     ///< left out
+  bool lightTables = false, openness = false, movingShadows = false;
+  bool covered = false;  ///< with all its probes the sky had no share
+};
+
 enum class Lighting {
   Plain,   ///< VTK's own: no probe, no sky
   Unlit,   ///< KHR_materials_unlit: emission only
@@ -69,9 +77,10 @@ struct ProbeBinding {
   /// Light sources, in the scene's order, that are not visible from everywhere in a probe's box.
   std::vector<int> sightLights;
   std::size_t leftOut = 0;  ///< probes that reach the object beyond the maximum of a draw
-  bool diffuse = true;      ///< false: the material is all metal
-  bool shapes = false;      ///< a probe's diffuse light comes from lamps as shapes and a lattice
-  bool lamps = false;       ///< one of these has lamps, or its first capture has
+  GivenUp givenUp;
+  bool diffuse = true;  ///< false: the material is all metal
+  bool shapes = false;  ///< a probe's diffuse light comes from lamps as shapes and a lattice
+  bool lamps = false;   ///< one of these has lamps, or its first capture has
   /// Reflections of the object are rough enough to draw those lamps as shapes. Then maps without lamps are sampled.
   bool lampLobes = false;
   float roughnessMin = 0.0f, roughnessMax = 1.0f;  ///< range over the object

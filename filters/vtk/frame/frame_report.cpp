@@ -80,9 +80,9 @@ std::vector<std::string> leftOutLines(const FrameReport& report) {
           std::to_string(object.probes.size()) +
           " most important ones reach it and are left out; divide the object, or raise importance where it counts");
     }
-    if (object.flattened > 0) {
-      lines.push_back("objects." + object.node + ": this OpenGL driver has too few texture units for all its probes; " +
-                      counted(object.flattened, "impostor is", "impostors are") + " drawn by box");
+    if (!object.givenUp.empty()) {
+      lines.push_back("objects." + object.node +
+                      ": this OpenGL driver has too few texture units for its probes and textures; " + object.givenUp);
     }
   }
   return lines;

@@ -21,10 +21,10 @@ struct FrameReport {
     bool unlit = false;
     std::vector<Share> probes;  ///< in order of decreasing importance
     double sky = 1.0;
-    std::size_t leftOut = 0;    ///< probes that reach it beyond the maximum of a draw
-    std::size_t flattened = 0;  ///< impostors drawn by their box, for want of texture units
-    bool weights = false;       ///< are weights computed?
-    std::string variant;        ///< objects with equal keys share a program, whatever their textures
+    std::size_t leftOut = 0;  ///< probes that reach it beyond the maximum of a draw
+    std::string givenUp;      ///< for want of texture units, as the end of a line; empty: nothing
+    bool weights = false;     ///< are weights computed?
+    std::string variant;      ///< objects with equal keys share a program, whatever their textures
   };
   struct ProbeUse {
     std::string name;

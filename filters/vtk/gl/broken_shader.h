@@ -1,7 +1,6 @@
 // Tests the handling of a refused shader: the environment variable BOXPROBE_BREAK_SHADER names a shader whose source is
-// then made invalid: "surface" (the physically based one with probes), "impostors" (the same where more than two
-// probes are impostors), "debug" (the same for debug views and explanations), or a file of shaders/gpu that is a pass
-// of its own.
+// then made invalid: "surface" (the physically based one with probes), "debug" (the same for debug views and
+// explanations), "constants", or a file of shaders/gpu that is a pass of its own.
 #pragma once
 
 #include <cstdlib>

@@ -19,7 +19,12 @@ constexpr const char* kViewRefused =
 constexpr const char* kExplainRefused =
     "this OpenGL driver refuses the shader that explains this surface; use fewer probes or textures on one object";
 
-/// The context must be current. `quiet`: VTK does not report a refusal, as another program is tried then.
+/// Textures that a fragment program may sample here. The environment variable BOXPROBE_TEXTURE_UNITS lowers it, to see
+/// what a card with fewer shows. The context must be current.
+int textureUnits();
+
+/// Also false if it samples more than textureUnits(). The context must be current. `quiet`: VTK does not report a
+/// refusal, as another program is tried then.
 bool programCompiles(vtkOpenGLRenderWindow* window, const std::string& vertex, const std::string& geometry,
                      const std::string& fragment, bool quiet);
 

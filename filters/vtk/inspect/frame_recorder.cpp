@@ -6,7 +6,7 @@
 #include <set>
 
 #include "filters/core/geometry/probe_shares.h"
-#include "filters/vtk/draw/fewer_impostors.h"
+#include "filters/vtk/draw/fewer_samplers.h"
 
 namespace boxprobe {
 
@@ -33,7 +33,7 @@ FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, con
     line.drawn = object.pass->GetDrawnInFrame();
     line.unlit = object.unlit;
     line.leftOut = binding->leftOut;
-    line.flattened = impostorsLeftOut(*binding);
+    line.givenUp = givenUpText(binding->givenUp, object.pass->GetTexturesLess());
     line.weights = binding->weights && !binding->probes.empty();
     line.variant = binding->variantKey();
     std::vector<float> weights;

@@ -240,7 +240,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.shares = binding.shares;
   in.skyShare = binding.skyShare;
   in.skyMaps = onCpu(state_->resources.sky).get();
-  in.openness = state_->resources.openness;
+  if (binding.openness) in.openness = state_->resources.openness;
   in.energy = content_->scene.energy;
   in.lights = content_->scene.lights;
   for (std::size_t i = 0; content_->lamps && i < content_->lamps->lamps.size(); ++i) {

@@ -18,7 +18,7 @@
 #include <vtkShaderProgram.h>
 
 #include "filters/math/shared/shader_source.h"
-#include "filters/vtk/draw/fewer_impostors.h"
+#include "filters/vtk/draw/fewer_samplers.h"
 #include "filters/vtk/draw/plain_surface.h"
 #include "filters/vtk/draw/probe_lamps.h"
 #include "filters/vtk/gl/broken_shader.h"
@@ -171,17 +171,18 @@ bool vtkProbePass::IsFor(vtkProp* prop) const {
 
 void vtkProbePass::SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface) {
   this->Surface = std::move(surface);
+  this->TexturesLess = 0;
   this->Built.Modified();
 }
 
 void vtkProbePass::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding) {
   this->Asked.whole = std::move(binding);
   this->Asked.binding = this->Asked.whole;
-  if (this->Asked.whole && !this->ImpostorsLess.empty()) {
-    const auto less = this->ImpostorsLess.find(this->Asked.whole->variantKey());
-    for (int i = 0; less != this->ImpostorsLess.end() && i < less->second; ++i) {
-      if (auto fewer = boxprobe::withOneImpostorLess(*this->Asked.binding)) {
-        this->Asked.binding = std::move(fewer);
+  if (this->Asked.whole && !this->StepsLess.empty()) {
+    const auto steps = this->StepsLess.find(this->Asked.whole->variantKey());
+    for (int i = 0; steps != this->StepsLess.end() && i < steps->second; ++i) {
+      if (auto less = boxprobe::withLess(*this->Asked.binding)) {
+        this->Asked.binding = std::move(less);
       }
     }
   }
@@ -379,9 +380,6 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
     return false;
   }
   boxprobe::breakShaderIfAsked(sources.fragment, this->Asked.debug ? "debug" : "surface");
-  if (!this->Made.traits.firstBounce && boxprobe::impostors(this->Drawn()) > 2) {
-    boxprobe::breakShaderIfAsked(sources.fragment, "impostors");
-  }
   if (this->Made.traits.constants) {
     boxprobe::writeConstants(sources.fragment, this->Made.traits.constants->values);
     boxprobe::breakShaderIfAsked(sources.fragment, "constants");
@@ -419,25 +417,33 @@ bool vtkProbePass::Compiles(const boxprobe::ShaderSources& sources, vtkAbstractM
     vtkShaderProgram::Substitute(shader, what.OriginalValue, by.Replacement, by.ReplaceAll);
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->State->drawing->GetRenderWindow());
-  const bool another = this->Made.traits.constants || this->WithImpostorLess();
+  const bool another = this->Made.traits.constants || this->WithLess() || this->WithTextureLess();
   return boxprobe::programCompiles(window, text.vertex, text.geometry, text.fragment, another);
 }
 
-// Drivers of 16 samplers refuse the program of four impostors and several textures. Null where it has none.
-std::shared_ptr<const boxprobe::ProbeBinding> vtkProbePass::WithImpostorLess() const {
-  const bool none = this->Asked.debug || this->Made.traits.firstBounce || !this->Asked.binding;
-  return none ? nullptr : boxprobe::withOneImpostorLess(*this->Asked.binding);
+// Null where there is nothing to give up. A debug program samples more than the picture's, and gives up nothing: what
+// it shows is the picture's calculation.
+std::shared_ptr<const boxprobe::ProbeBinding> vtkProbePass::WithLess() const {
+  return this->Asked.debug || !this->Asked.binding ? nullptr : boxprobe::withLess(*this->Asked.binding);
 }
 
-bool vtkProbePass::DropImpostor() {
-  auto fewer = this->WithImpostorLess();
-  if (!fewer) {
-    return false;
+std::shared_ptr<const boxprobe::SurfaceMaterial> vtkProbePass::WithTextureLess() const {
+  return this->Asked.debug || !this->Surface ? nullptr : boxprobe::withTextureLess(*this->Surface);
+}
+
+bool vtkProbePass::GiveUp() {
+  if (auto less = this->WithLess()) {
+    ++this->StepsLess[this->Asked.whole->variantKey()];
+    this->Asked.binding = std::move(less);
+    this->UpdateDrawn();
+    return true;
   }
-  ++this->ImpostorsLess[this->Asked.whole->variantKey()];
-  this->Asked.binding = std::move(fewer);
-  this->UpdateDrawn();
-  return true;
+  if (auto less = this->WithTextureLess()) {
+    ++this->TexturesLess;
+    this->Surface = std::move(less);
+    return true;
+  }
+  return false;
 }
 
 // Replaces a refused program by VTK's own: an object without reflections is better than none.
@@ -497,7 +503,7 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
     // Usually the program with uniforms has been drawn before, but facts may have changed together with the constants.
     compiles = this->Splice(sources, actor, lit) && this->Compiles(sources, mapper, actor);
   }
-  while (!compiles && this->DropImpostor()) {
+  while (!compiles && this->GiveUp()) {
     sources = {vertex, geometry, fragment};
     compiles = this->Splice(sources, actor, lit) && this->Compiles(sources, mapper, actor);
   }

@@ -72,7 +72,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   void SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface);
   const boxprobe::SurfaceMaterial* GetSurface() const { return this->Surface.get(); }
   /** A binding with another variant key needs another program, built at the next draw; otherwise only uniforms change.
-   * If the driver refuses that, GetBinding() is one with fewer impostors (fewer_impostors.h) from then on. */
+   * If the driver refuses that, GetBinding() is one with less (fewer_samplers.h) from then on. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   const boxprobe::ProbeBinding* GetBinding() const { return this->Asked.binding.get(); }
   std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Asked.binding; }
@@ -83,6 +83,8 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   void SetRefined(boxprobe::RefinedRays rays);
   /** The binding as it is drawn: with cheap techniques or rays if requested. */
   const boxprobe::ProbeBinding* GetDrawnBinding() const { return this->Made.binding.get(); }
+  /** How many of the material's textures are left out, because the driver has too few texture units. */
+  std::size_t GetTexturesLess() const { return this->TexturesLess; }
 
   /** Writes sampled reflections separately, to further attachments (see reflection_apart.glsl). */
   void SetSeparateSpecular(bool apart);
@@ -157,7 +159,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   /** The requested program. */
   struct Request {
     std::shared_ptr<const boxprobe::ProbeBinding> whole;    ///< as it was given
-    std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< with as many impostors as the driver links
+    std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< with as much as the driver links
     bool separateSpecular = false, heights = false, debug = false, cut = false;
     int objectNumber = 0;
     boxprobe::FrameParts leftOut = 0;
@@ -193,8 +195,9 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   boxprobe::SurfaceOutput OutputOf(vtkActor* actor) const;
   bool Splice(boxprobe::ShaderSources& sources, vtkActor* actor, bool lit);
   bool Compiles(const boxprobe::ShaderSources& sources, vtkAbstractMapper* mapper, vtkActor* actor) const;
-  std::shared_ptr<const boxprobe::ProbeBinding> WithImpostorLess() const;
-  bool DropImpostor();
+  std::shared_ptr<const boxprobe::ProbeBinding> WithLess() const;
+  std::shared_ptr<const boxprobe::SurfaceMaterial> WithTextureLess() const;
+  bool GiveUp();
   void Refuse(vtkAbstractMapper* mapper, vtkActor* actor);
   void Upload(vtkShaderProgram* program, const double* boundsWorld);
   void Count(vtkShaderProgram* program);
@@ -205,8 +208,9 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   Request Asked;
   Variant Made;
   Outcome Last;
-  std::map<std::string, int> ImpostorsLess;  ///< by the variant key of bindings that the driver refused
-  vtkTimeStamp Built;                        ///< when the program last had to change
+  std::map<std::string, int> StepsLess;  ///< by the variant key of bindings that the driver refused
+  std::size_t TexturesLess = 0;          ///< given up of the material
+  vtkTimeStamp Built;                    ///< when the program last had to change
   bool Again = false;
   bool HiddenInView = false;
   vtkWeakPointer<vtkActor> Actor;
