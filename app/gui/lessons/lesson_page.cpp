@@ -178,10 +178,11 @@ std::string roomHtml(const std::string& view, std::size_t scene, const std::stri
 
 /// `attributes`: what it begins with.
 std::string figureHtml(const std::string& figure, const std::string& attributes) {
-  return "<div class=\"figure-live\" data-figure=\"" + figure + "\" " + attributes +
-         "><p class=\"figure-still\">This figure needs scripts, and WebGL2 for a room. Without them, the pictures "
-         "below "
-         "show the same.</p></div>\n";
+  const char* const still = figure == "infinity"
+                                ? "This figure needs scripts and WebGL2; the lesson A floor mirror shows its two ends."
+                                : "This figure needs scripts.";
+  return "<div class=\"figure-live\" data-figure=\"" + figure + "\" " + attributes + "><p class=\"figure-still\">" +
+         still + "</p></div>\n";
 }
 
 /// What opens the page.
@@ -254,6 +255,7 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
   const auto& rooms = widgets.rooms;
   const bool hasRoom = scene != scenes_.end() && std::find(rooms.begin(), rooms.end(), lesson.name) != rooms.end();
   const auto place = static_cast<std::size_t>(scene - scenes_.begin());
+  std::string after;
   for (const auto& [figure, of] : widgets.figures) {
     if (of != lesson.name) continue;
     if (figure == "cone") {
@@ -262,7 +264,7 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
       const std::string live = figureHtml(
           figure, "data-scene=\"scene-" + std::to_string(place) + "\" data-view=\"" + html(pictures.view) + "\"");
       if (figure == "infinity") opening_ = infinityHtml(live);
-      if (figure == "stand") text += standHtml(live);
+      if (figure == "stand") after += standHtml(live);  // it answers the steps' questions
     }
   }
   text += "<div class=\"steps\">\n";
@@ -271,7 +273,7 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
     text += stepHtml(lesson, i, pictures, !task.empty());
     if (lesson.steps[i].question) answers_ += answerHtml(lesson, lesson.steps[i]);
   }
-  text += "</div>\n" + loops_;
+  text += "</div>\n" + after + loops_;
   loops_.clear();
   if (pictures.plan) text += planHtml(*pictures.plan, hasRoom ? std::string() : task);
   if (hasRoom) text += roomHtml(pictures.view, place, task);
@@ -349,7 +351,7 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
       opening_ +
       "<p>Boxprobe drew every picture from the lesson's scene and measured every number on it when it made this page. "
       "In its window you can change each step yourself: <code>boxprobe lessons NAME</code>.</p>\n"
-      "<nav id=\"contents\" aria-label=\"Contents\"><p class=\"score\" aria-live=\"polite\"></p><ul "
+      "<nav id=\"contents\" aria-label=\"Contents\"><p class=\"score\"></p><ul "
       "class=\"chapters\">\n" +
       contents() + (notation.empty() ? "" : "<li><a href=\"#notation\">Notation</a></li>\n") +
       (sources.empty() ? "" : "<li><a href=\"#sources\">Sources</a></li>\n") + "</ul></nav>\n" + body() +
