@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -134,6 +136,9 @@ std::string GlbExporter::bytesOfBefore(const LoadedScene& loaded) const {
   content.scene = loaded.scene;
   content.writer = written_->writer;
   content.sky = written_->sky;
+  if (loaded.scene.lights == written_->scene.lights) {
+    content.diffuse.countedLights = written_->diffuse.countedLights;  // else they are there as lamps, too
+  }
   for (const Probe& probe : loaded.scene.probes) {
     content.maps.emplace_back();
     content.diffuse.probes.emplace_back();
@@ -149,12 +154,27 @@ RunStats GlbExporter::stats() const {
   return shown_ ? collectStats(shown_->renderer(), shown_->window()) : RunStats{};
 }
 
+namespace {
+
+std::string revisionFile(const std::string& output) {
+  return fs::is_directory(output) ? (fs::path(output) / "revision").string() : output + ".revision";
+}
+
+}  // namespace
+
+int lastRevision(const std::string& output) {
+  std::ifstream file(revisionFile(output));
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const bool known = json.is_object() && json.contains("revision") && json["revision"].is_number_integer();
+  const auto number = known ? json["revision"].get<std::int64_t>() : 0;
+  return number > 0 && number < std::numeric_limits<int>::max() / 2 ? static_cast<int>(number) : 0;
+}
+
 void writeRevision(const std::string& output, int revision) {
   const bool folder = fs::is_directory(output);
   const nlohmann::ordered_json json = {{"revision", revision},
                                        {"file", folder ? "" : fs::path(output).filename().string()}};
-  writeTextAtomically(folder ? (fs::path(output) / "revision").string() : output + ".revision",
-                      json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  writeTextAtomically(revisionFile(output), json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace boxprobe

@@ -48,5 +48,7 @@ class GlbExporter {
 /// What programs look at that follow a file, or a folder, which is written again and again: FILE.revision, or
 /// FOLDER/revision, with the number of times. To be written after it. Throws WorkError.
 void writeRevision(const std::string& output, int revision);
+/// The number that stands there; 0 if there is none.
+int lastRevision(const std::string& output);
 
 }  // namespace boxprobe

@@ -125,6 +125,13 @@ bool isModelPath(const std::string& path) {
   return isModelFile(path);
 }
 
+std::string sceneName(const std::string& path) {
+  const std::filesystem::path file = std::filesystem::path(path).filename();
+  const std::string name = file.string(), own = ".boxprobe.json";
+  if (name.size() > own.size() && endsWith(name, own)) return name.substr(0, name.size() - own.size());
+  return isModelPath(path) || endsWith(name, ".json") ? file.stem().string() : name;
+}
+
 std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const LoadProgress& progress) {
   std::map<std::tuple<std::string, std::string, std::optional<double>>, std::shared_ptr<const Model>> byFile;
   std::vector<std::shared_ptr<const Model>> models;

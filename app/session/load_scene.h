@@ -48,6 +48,9 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std
 /// A fingerprint of what the file holds now; empty if there is none or it cannot be read.
 std::string fileDigest(const std::string& path);
 
+/// What a scene is called by its file: the file's name without .boxprobe.json, .json or a model's extension.
+std::string sceneName(const std::string& path);
+
 /// True for the extensions of model files, which can be opened without a scene, in any case.
 bool isModelPath(const std::string& path);
 

@@ -1,6 +1,7 @@
 // See opened_glb.h.
 #include "app/session/opened_glb.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -29,7 +30,15 @@ fs::path cacheFolder() {
   return fs::temp_directory_path() / ("boxprobe-" + std::to_string(::getuid())) / "glb";
 }
 
-/// What nobody has opened for a month goes. Only folders of this file's own names are touched.
+/// Whoever can write into the folder can put another scene in the place of the one asked for.
+void requireOwn(const fs::path& folder) {
+  struct stat found {};
+  const bool own = ::lstat(folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == ::getuid() &&
+                   (found.st_mode & S_IWOTH) == 0;
+  if (!own) throw WorkError(folder.string() + ": others can write here; set HOME or XDG_CACHE_HOME");
+}
+
+/// Removes what was not opened for a month. Only folders of this file's own names are touched.
 void removeOld(const fs::path& cache) {
   std::error_code error;
   const auto month = fs::file_time_type::clock::now() - std::chrono::hours(24 * 30);
@@ -53,12 +62,20 @@ std::string unpackedFolder(const std::string& path) {
   fs::create_directories(cache, error);
   if (error) throw WorkError(cache.string() + ": cannot create this folder: " + error.message());
   fs::permissions(cache, fs::perms::owner_all, error);
+  if (error) throw WorkError(cache.string() + ": cannot be kept from others: " + error.message());
+  // Below /tmp both folders may be somebody else's.
+  requireOwn(cache.parent_path());
+  requireOwn(cache);
   removeOld(cache);
   // Beside the place, so that there is a whole folder or none; of two processes one comes too late.
   const fs::path fresh = folder.string() + "." + std::to_string(::getpid());
   fs::remove_all(fresh, error);
   try {
     unpackGlb(path, fresh.string());
+    // Somebody may have replaced it between the two readings.
+    if (ContentHash().add(readWholeFile(path)).text() != folder.filename().string()) {
+      throw WorkError(path + ": changed while it was read; open it again");
+    }
   } catch (...) {
     fs::remove_all(fresh, error);
     throw;

@@ -465,8 +465,8 @@ class Checker {
       if (missed) {
         placement_.probes.insert(placement_.probes.begin() + static_cast<std::ptrdiff_t>(i), candidate);
         const double gain = errors->error - best.error;
-        placement_.probes[i].reason += gain > 0.0005 ? sentence("; without it pictures are off by %.3f more", gain)
-                                                     : "; pictures are as right without it";
+        placement_.probes[i].reason += gain > 0.0005 ? sentence("; without it the error grows by %.3f", gain)
+                                                     : "; without it the error is the same";
       } else {
         best = *errors;
         bestSquares_ = roomSquares_;

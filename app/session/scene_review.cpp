@@ -2,7 +2,7 @@
 #include "app/session/scene_review.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
 #include <utility>
 
 #include "app/session/automatic_exposure.h"
@@ -20,13 +20,7 @@ std::string nameOf(const LoadedScene& loaded) {
   const std::string path = !loaded.path.empty()           ? loaded.path
                            : !loaded.scene.models.empty() ? loaded.scene.models.front().file
                                                           : std::string("scene");
-  std::string name = std::filesystem::path(path).filename().string();
-  for (const std::string suffix : {".boxprobe.json", ".json"}) {
-    if (name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0) {
-      return name.substr(0, name.size() - suffix.size());
-    }
-  }
-  return name;
+  return sceneName(path);
 }
 
 class Reviewer {
@@ -143,7 +137,10 @@ class Reviewer {
 
 double SceneReview::worstError() const {
   double worst = 0.0;
-  for (const ReviewedCamera& row : cameras) worst = std::max(worst, row.all().relativeRmse);
+  for (const ReviewedCamera& row : cameras) {
+    if (!(row.all().relativeRmse <= worst)) worst = row.all().relativeRmse;  // what is not a number stays
+    if (std::isnan(worst)) break;
+  }
   return worst;
 }
 

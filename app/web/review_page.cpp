@@ -210,7 +210,7 @@ void ReviewPage::add(const SceneReview& review) {
     const std::string name = markup(row.camera.name);
     const std::string link = id + "-camera" + std::to_string(++cameras_);
     const PartError& all = row.all();
-    const bool fails = settings_.failAbove && all.relativeRmse > *settings_.failAbove;
+    const bool fails = settings_.failAbove && !(all.relativeRmse <= *settings_.failAbove);
     failed_ += fails ? 1 : 0;
     const std::string state =
         !settings_.failAbove ? std::string() : cell(fails ? "<b class=\"bad\">above</b>" : "below");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -90,17 +91,29 @@ TEST(Report, IsOneFileThatShowsWhatRenderDrawsAndWhatBenchMeasures) {
   render.insert(render.end(), same.begin(), same.end());
   ASSERT_EQ(runProgram(render).exitStatus, 0);
   const ImageRgbaF expected = loadHdrImage(drawn);
-  double off = 0.0, differs = 0.0, map = 0.0;
+  double off = 0.0, differs = 0.0;
+  std::array<double, 2> map{}, mapped{};  // where both pictures are alike, and where they differ
   for (std::size_t i = 0; i < expected.pixels.size(); ++i) {
     if (i % 4 == 3) continue;
     off = std::max(off, std::abs(pictures[0].pixels[i] - 255.0 * encoded(expected.pixels[i])));
     differs += std::abs(pictures[0].pixels[i] - pictures[1].pixels[i]);
-    map += pictures[2].pixels[i];
+  }
+  for (std::size_t i = 0; i + 3 < expected.pixels.size(); i += 4) {
+    int most = 0, bright = 0;
+    for (std::size_t c = i; c < i + 3; ++c) {
+      most = std::max(most, std::abs(pictures[0].pixels[c] - pictures[1].pixels[c]));
+      bright += pictures[2].pixels[c];
+    }
+    if (most > 2 && most < 60) continue;
+    map[most > 2 ? 1 : 0] += bright;
+    mapped[most > 2 ? 1 : 0] += 1.0;
   }
   const auto bytes = static_cast<double>(expected.pixels.size());
   EXPECT_LT(off, 1.01);
   EXPECT_GT(differs / bytes, 1.0);
-  EXPECT_GT(map, 0.0);
+  ASSERT_GT(mapped[0], 10.0);
+  ASSERT_GT(mapped[1], 10.0);
+  EXPECT_GT(map[1] / mapped[1], 3.0 * map[0] / mapped[0]) << "the error map is bright where the pictures differ";
 }
 
 TEST(Report, FailsAboveALimitWithTheFileWritten) {

@@ -11,6 +11,8 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/cube_file.h"
+#include "filters/io/engines/glb_probes.h"
+#include "filters/io/gltf/model_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
 #include "tests/unit/io_glb_builder.h"
@@ -148,10 +150,41 @@ void makeCubes() {
   write("cube/flat.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n" + std::string(32, '\x80'));
 }
 
+/// The triangle with a probe, its map, a lattice, a lamp and a picture inside.
+void makeProbes(const std::string& triangle) {
+  write("triangle.glb", triangle);
+  write("sky.hdr", "not read here");
+  GlbScene content;
+  content.scene =
+      parseScene(R"({"format": "boxprobe-scene", "version": 1, "model": "triangle.glb", "sky": {"image": "sky.hdr"},
+      "probes": [{"name": "a", "origin": [0.1, 0.2, 0.3], "box": {"min": [-1, -2, -3], "max": [3, 2, 1]}, "faceSize": 16}]})",
+                 (folder / "a.boxprobe.json").string(), folder.string());
+  BakedProbeFile baked;
+  baked.maps.radiance = gradientCube(2, 2);
+  baked.maps.distance = gradientCube(1, 1);
+  baked.info.probe = content.scene.probes.front();
+  baked.info.inputHash = "00112233 4455 - -";
+  content.maps = {baked};
+  ProbeDiffuse diffuse;
+  DiffuseLattice lattice;
+  lattice.nodes = {2, 2, 2};
+  lattice.low = glm::vec3(-1.0f);
+  lattice.high = glm::vec3(1.0f);
+  lattice.texels.assign(7 * 8, glm::vec4(0.5f));
+  diffuse.lattice = std::make_shared<DiffuseLattice>(lattice);
+  SceneLamp lamp;
+  lamp.corners = {{0, 1, 0}, {1, 1, 0}, {0, 1, 1}};
+  diffuse.lamps = {lamp};
+  content.diffuse.probes = {diffuse};
+  write("model/probes", glbWithProbes(content, loadModelFile((folder / "triangle.glb").string()), "probes.glb"));
+  for (const char* name : {"triangle.glb", "sky.hdr"}) fs::remove(folder / name);
+}
+
 void makeModels() {
   GlbBuilder plain;
   plain.triangle();
   write("model/triangle", plain.glb());
+  makeProbes(plain.glb());
 
   ImageRgba8 image;
   image.width = image.height = 4;

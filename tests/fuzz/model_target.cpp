@@ -1,9 +1,11 @@
 // Model files: whatever is accepted can be drawn without another look: indices inside their arrays, finite numbers,
 // unit normals.
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "filters/core/base/errors.h"
+#include "filters/io/engines/glb_probes.h"
 #include "filters/io/gltf/model_file.h"
 #include "filters/io/image/image_detail.h"
 #include "tests/fuzz/parse_target.h"
@@ -70,10 +72,24 @@ void checkMesh(const Mesh& mesh, std::size_t materials) {
           "a mesh has a material that is not there");
 }
 
+/// The probes that a .glb may hold, unpacked as when it is opened.
+void parseProbesOf(const std::string& path, const std::string& folder) {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder, ignored);
+  try {
+    if (!holdsProbes(path)) return;
+    unpackGlb(path, folder);
+    validate(glbSceneOf(path, folder));
+  } catch (const InputError& refused) {
+    checkRefusal(refused.what());
+  }
+}
+
 void parseModelFile(const std::string& bytes) {
   static const ScratchFile scratch;
   const bool binary = bytes.compare(0, 4, "glTF") == 0;
   const std::string path = scratch.write(binary ? "model.glb" : "model.gltf", bytes);
+  if (binary) parseProbesOf(path, scratch.path("unpacked"));
   try {
     Model model = loadModelFile(path);
     // What the file offers besides, too.

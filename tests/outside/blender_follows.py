@@ -1,5 +1,5 @@
 """Blender follows five edits of a scene file by data/engines/boxprobe_blender_live.py while `boxprobe export --watch` runs: boxes,
-a turn, a name, a removal and a lamp, read back from bpy.
+a turn, an addition and a removal, read back from bpy.
 
 usage: blender -b --factory-startup --python-exit-code 1 --python blender_follows.py -- BOXPROBE SCENES OUT
 """
@@ -72,10 +72,6 @@ def same(ours, theirs):
     return all(any(near(a, b) for b in theirs) for a in ours) and all(any(near(a, b) for a in ours) for b in theirs)
 
 
-def lamp_at(node_height):
-    return [each for each in bpy.data.objects if each.type == "LIGHT" and abs(each.matrix_world.translation.z - node_height) < 0.01]
-
-
 follower = live.Follower(str(glb))
 
 
@@ -97,7 +93,6 @@ exporter = subprocess.Popen([program, "export", str(scene_file), "-o", str(glb),
 try:
     wait("the scene", matches, begun)
     probe = scene["probes"][0]
-    lamps = [each for each in bpy.data.objects if each.type == "LIGHT" and each.get("boxprobe")]
     times = []
 
     probe["box"]["max"] = [3.5, 2.75, 3.25]

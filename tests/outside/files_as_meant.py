@@ -212,12 +212,9 @@ def environments():
     width, height = 64, 32
     sun = np.full((height, width, 3), .5)
     sun[9, 31] = 1e6
-    latitude = np.pi / 2 - (9 + .5) / height * np.pi
-    angle = 2 * np.pi / width * (np.sin(latitude + np.pi / height / 2) - np.sin(latitude - np.pi / height / 2))
     status, said = run("info", write("sun.boxprobe.json", json.dumps(
         {"format": "boxprobe-scene", "version": 1, "model": "far.gltf", "sky": {"image": exr("sun.exr", sun)}})))
-    line("OpenEXR, a sun of 1e6: info", "65504, the largest half float: the light was spread" if 1e6 * angle < 65504 * .84
-         else "of the picture's light is cut off", said)
+    line("OpenEXR, a sun of 1e6: info", "65504, the largest half float: the light was spread", said)
 
 
 def cross():
@@ -303,7 +300,7 @@ def shapes():
     perspective = {"type": "perspective", "perspective": {"yfov": .3, "znear": 6, "zfar": 20, "aspectRatio": 2.35}}
     status, said = run("info", gltf("film.gltf", cameras=[perspective]))
     line("glTF, znear beyond the model: info", "near or far plane cuts off", said)
-    line("glTF, aspectRatio: info", "theirs is --size 1692x720", said)
+    line("glTF, aspectRatio: info", "render it with --size 1692x720", said)
 
 
 def engines():

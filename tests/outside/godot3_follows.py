@@ -67,7 +67,7 @@ def wait(what, begun, seconds=60):
     print("%s: in Godot after %.2f s" % (what, time.monotonic() - begun))
 
 
-seen = []
+seen, failures = [], []
 save()
 exporter = subprocess.Popen([program, "export", str(scene_file), "-o", str(out / "live.glb"), "--format", "glb", "--watch", "--quiet"])
 godot = subprocess.Popen([engine, "--path", str(out), "-s", "follow.gd"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -78,6 +78,7 @@ def listen():
         if line.startswith("boxprobe "):
             seen.append(json.loads(line[9:]))
         elif "SCRIPT ERROR" in line:
+            failures.append(line)
             print(line, end="")
 
 
@@ -98,9 +99,11 @@ try:
 finally:
     (out / "end.txt").write_text("")
     exporter.send_signal(signal.SIGINT)
-    exporter.wait()
+    status = exporter.wait()
     try:
         godot.wait(10)
     except subprocess.TimeoutExpired:
         godot.kill()
+if failures or status != 1:  # 1: interrupted
+    sys.exit("FAILED: %d errors of scripts; the exporter ended with %d" % (len(failures), status))
 print("five edits followed")

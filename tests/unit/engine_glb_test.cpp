@@ -4,6 +4,8 @@
 
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "filters/io/cube/bake_folder.h"
@@ -177,6 +179,36 @@ TEST_F(GlbProbes, TheSceneAndItsMapsComeBackBitByBit) {
   EXPECT_EQ(pack(), read("out.glb"));
 }
 
+TEST_F(GlbProbes, AFileWrittenAgainFromItselfDoesNotGrow) {
+  const std::string path = write("out.glb", pack());
+  content_.scene.models[0].file = path;
+  const std::string again = write("again.glb", glbWithProbes(content_, loadModelFile(path), "again.glb"));
+  const GlbDocument first = readGlbDocument(path), second = readGlbDocument(again);
+  EXPECT_EQ(second.binary.size(), first.binary.size());
+  EXPECT_EQ(second.json["bufferViews"].size(), first.json["bufferViews"].size());
+  EXPECT_EQ(second.json["cameras"].size(), 1u);
+  EXPECT_EQ(second.json["materials"], first.json["materials"]);
+}
+
+TEST_F(GlbProbes, PicturesOfAwkwardNamesComeBack) {
+  std::filesystem::create_directories(file("third"));
+  const std::string stem(230, 'x');
+  write("third/probes", "no extension");
+  write("third/" + stem + ".hdr", "long name");
+  content_.scene.probes[1].image = file("third/" + stem + ".hdr");
+  std::get<SkyImage>(content_.scene.sky).file = file("third/probes");
+  const std::string path = write("out.glb", pack());
+  unpackGlb(path, file("opened"));
+  const Scene scene = glbSceneOf(path, file("opened"));
+  const auto bytes = [](const std::string& name) {
+    std::ifstream stream(name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  EXPECT_EQ(bytes(scene.probes[1].image), "long name");
+  EXPECT_EQ(bytes(std::get<SkyImage>(scene.sky).file), "no extension");
+  EXPECT_TRUE(std::filesystem::is_directory(file("opened/probes"))) << "of the maps";
+}
+
 TEST_F(GlbProbes, AMovedModelStandsWhereTheSceneHasIt) {
   content_.scene.models[0].unit = LengthUnit::Centimetre;
   content_.scene.models[0].upAxis = UpAxis::Z;
@@ -209,6 +241,15 @@ TEST_F(GlbProbes, BrokenFilesAreOneLine) {
     root["bufferViews"][e["maps"][0]["levels"][0]["bufferView"].get<std::size_t>()]["byteOffset"] = 1e300;
   });
   refused("encoding", [](J&, J& e) { e["maps"][0]["encoding"] = "png"; });
+  refused("has an owner already", [](J&, J& e) {
+    e["probes"][1]["map"] = 0;
+    e["scene"]["probes"][1].erase("mode");
+    e["scene"]["probes"][1].erase("image");
+  });
+  refused("more bytes than the file", [](J&, J& e) {
+    const J view = e["maps"][0]["levels"][0]["bufferView"];
+    for (int i = 0; i < 20; ++i) e["files"].push_back({{"name", "copy " + std::to_string(i)}, {"bufferView", view}});
+  });
   refused("13", [](J&, J& e) { e["maps"][0]["levels"] = J::array(); });
   refused("irradiance", [](J&, J& e) { e["maps"][0]["irradiance"].erase(3); });
   refused("probes[0].map", [](J&, J& e) { e["probes"][0]["map"] = 5; });

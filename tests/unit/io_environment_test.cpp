@@ -4,7 +4,10 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <gmock/gmock.h>
@@ -233,6 +236,46 @@ TEST_F(Environment, LuminanceAndChromaAreColours) {
       }
     }
     EXPECT_LT(worst, 0.02) << name;
+  }
+}
+
+/// A rendered file of several parts: a depth layer, named by its layer or not, is no picture beside colours.
+TEST_F(Environment, ColoursComeBeforeOtherParts) {
+  constexpr int kWidth = 8, kHeight = 4;
+  const std::vector<std::pair<const char*, float>> color = {
+      {"View.Combined.R", 0.25f}, {"View.Combined.G", 0.5f}, {"View.Combined.B", 0.75f}};
+  const std::vector<std::vector<std::pair<const char*, float>>> others = {
+      {{"View.Depth.Z", 9.0f}}, {{"depth.Z", 9.0f}}, {{"View.Mist.Fog", 9.0f}}, {{"Z", 9.0f}}};
+  for (const auto& other : others) {
+    for (const bool first : {true, false}) {
+      std::vector<std::vector<std::pair<const char*, float>>> parts = {color};
+      parts.insert(first ? parts.begin() : parts.end(), other);
+      std::vector<Imf::Header> headers;
+      for (std::size_t part = 0; part < parts.size(); ++part) {
+        Imf::Header header(kWidth, kHeight);
+        header.setName("part " + std::to_string(part));
+        header.setType(Imf::SCANLINEIMAGE);
+        for (const auto& [name, value] : parts[part]) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        headers.push_back(header);
+      }
+      {
+        Imf::MultiPartOutputFile out(file("parts.exr").c_str(), headers.data(), static_cast<int>(headers.size()));
+        for (std::size_t part = 0; part < parts.size(); ++part) {
+          std::vector<std::vector<float>> values;
+          Imf::FrameBuffer buffer;
+          for (const auto& [name, value] : parts[part]) {
+            values.emplace_back(kWidth * kHeight, value);
+            buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.back().data()), sizeof(float),
+                                           sizeof(float) * kWidth));
+          }
+          Imf::OutputPart written(out, static_cast<int>(part));
+          written.setFrameBuffer(buffer);
+          written.writePixels(kHeight);
+        }
+      }
+      const ImageRgbaF sky = readSky(file("parts.exr"));
+      EXPECT_EQ(at(sky, 3, 2), glm::vec3(0.25f, 0.5f, 0.75f)) << other.front().first << (first ? " first" : " last");
+    }
   }
 }
 

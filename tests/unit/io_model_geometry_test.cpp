@@ -319,9 +319,9 @@ TEST_F(ModelGeometry, ACameraOfAnotherShapeIsNamed) {
     return Json{{"type", "perspective"}, {"perspective", {{"yfov", 0.6}, {"znear", 0.1}, {"aspectRatio", aspect}}}};
   };
   EXPECT_TRUE(warningsOf(perspective(1.7778)).empty());
-  const std::string wide = "has cameras whose picture is not 16:9; theirs is --size 1692x720 (film)";
+  const std::string wide = "has a camera whose picture is not 16:9 (film); render it with --size 1692x720";
   EXPECT_EQ(warningsOf(perspective(2.35)), std::vector<std::string>{wide});
-  const std::string square = "has cameras whose picture is not 16:9; theirs is --size 720x720 (film)";
+  const std::string square = "has a camera whose picture is not 16:9 (film); render it with --size 720x720";
   EXPECT_EQ(warningsOf(
                 {{"type", "orthographic"}, {"orthographic", {{"xmag", 3}, {"ymag", 3}, {"znear", 0.1}, {"zfar", 20}}}}),
             std::vector<std::string>{square});

@@ -86,7 +86,7 @@ TEST_F(Reports, NegativeIndicesAmongVertices) {
   const Model model = load("m.obj", "mtllib m.mtl\no a\nusemtl red\n" + at0 + "f -4 -3 -2 -1\no b\nusemtl green\n" +
                                         at10 + "f -4 -3 -2 -1\no c\nusemtl red\n" + at20 + "f -3 -2 -1\n");
   EXPECT_EQ(model.instances.size(), 3u);
-  // Two rectangles of 6 and a triangle of 6.
+  // Red: a rectangle of 6 and a triangle of 6; green: a rectangle of 3.
   expectExtent(extentOf(model, {1, 0, 0}), 12.0, glm::dvec3(1.0 + 64.0 / 3.0, 1.5 + 1.0, 0.0) / 2.0);
   expectExtent(extentOf(model, {0, 1, 0}), 3.0, {10.5, 1.5, 0.0});
 }

@@ -127,15 +127,13 @@ std::vector<std::string> exportWeb(const ExportOptions& options, const LoadedSce
   const WebScene scene =
       webScene(shown, loaded.models, captured.captures, options.settings.faceSize, "Boxprobe " BOXPROBE_VERSION);
   if (!options.report.quiet) printWarnings(scene.remarks);
-  std::string title = std::filesystem::path(options.scenePath).filename().string();
-  return writeWebFolder(scene, title.substr(0, title.find('.')), options.output);
+  return writeWebFolder(scene, sceneName(options.scenePath), options.output);
 }
 
 /// The .glb that -o names, or the one in the folder that it names.
 std::string glbPath(const ExportOptions& options) {
   if (lowerExtension(options.output) == ".glb") return options.output;
-  const std::string name = std::filesystem::path(options.scenePath).filename().string();
-  return (std::filesystem::path(options.output) / (name.substr(0, name.find('.')) + ".glb")).string();
+  return (std::filesystem::path(options.output) / (sceneName(options.scenePath) + ".glb")).string();
 }
 
 /// What the export of a scene depends on.
@@ -170,6 +168,7 @@ struct ExportRun {
   std::unique_ptr<GlbExporter> glb;
   std::vector<std::string> read;  ///< files that the last export was made of
   int revision = 0;               ///< of the file, with --watch
+  bool exported = false;          ///< at least once
 };
 
 void exportGlb(ExportRun& run, LoadedScene& loaded, const std::vector<std::string>& names) {
@@ -235,6 +234,7 @@ void watch(ExportRun& run) {
   const bool glb = run.options.shader.empty() && run.options.settings.format == kGlbFormat;
   const std::string output = glb ? glbPath(run.options) : run.options.output;
   run.read = {run.options.scenePath};
+  run.revision = lastRevision(output);  // who followed an earlier run waits for a higher one
   FileStamps known;
   while (!run.interrupt.interrupted()) {
     const FileStamps now = stampsOf(run.read);
@@ -245,11 +245,12 @@ void watch(ExportRun& run) {
     try {
       exportOnce(run);
       writeRevision(output, ++run.revision);
+      run.exported = true;
       known = stampsOf(run.read);
       for (const auto& [path, stamp] : now) known[path] = stamp;  // what changed meanwhile is exported once more
     } catch (const Error& error) {
       if (run.interrupt.interrupted()) break;
-      if (run.revision == 0) throw;  // the scene has never been right
+      if (!run.exported) throw;  // the scene has never been right
       printWarnings({std::string(error.what()) + "; what was written before stays"});
       known = stampsOf(run.read);
     }
@@ -271,9 +272,12 @@ void runExport(const ExportOptions& options) {
   }
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
   const bool glbFile = !shader && glb && glbPath(options) == options.output;
-  if (glbFile) requireWritable("-o", options.output);
+  if (!shader && glb) {
+    if (!glbFile) requireOutputFolder("-o", options.output);
+    requireWritable("-o", glbPath(options));  // and no file that is read
+  }
   const InterruptGuard interrupt;
-  ExportRun run{options, interrupt, nullptr, {}, 0};
+  ExportRun run{options, interrupt, nullptr, {}, 0, false};
   options.watch ? watch(run) : exportOnce(run);
 }
 
@@ -318,8 +322,8 @@ Subcommand addExportCommand(CLI::App& program) {
       ->type_name("ID");
   command->add_flag(
       "--watch", options->watch,
-      "Export again whenever the scene or its model is saved, until Ctrl-C; FILE.revision, or DIR/revision, "
-      "counts");
+      "Export again whenever the scene or its model is saved, until Ctrl-C. Each export increments the number in "
+      "FILE.revision or DIR/revision.");
   command->add_option("--probe", options->probes, "Export only this probe (repeatable; default: all)")
       ->type_name("NAME")
       ->allow_extra_args(false);

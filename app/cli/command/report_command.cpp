@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cli/command/short_run.h"
+#include "app/cli/farm/farm_script.h"
 #include "app/cli/options/render_options.h"
 #include "app/cli/report/fit_report.h"
 #include "app/session/interrupt.h"
@@ -41,20 +42,11 @@ struct ReportCommandOptions {
   ReportOptions report;
 };
 
-/// As a shell takes it.
-std::string word(const std::string& text) {
-  const char* const plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./=,:+@";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string commandOf(const ReportCommandOptions& options) {
   std::string text = "boxprobe report";
-  for (const std::string& path : options.scenePaths) text += " " + word(path);
+  for (const std::string& path : options.scenePaths) text += " " + shellWord(path);
   const auto add = [&text](const char* option, const std::string& value) {
-    if (!value.empty()) text += std::string(" ") + option + " " + word(value);
+    if (!value.empty()) text += std::string(" ") + option + " " + shellWord(value);
   };
   for (const std::string& camera : options.cameras) add("--camera", camera);
   add("--technique", options.technique);
@@ -163,7 +155,7 @@ void runReport(const ReportCommandOptions& options) {
   std::string above;
   std::size_t failed = 0;
   for (const WholeRow& row : rows) {
-    if (!limit || !(row.parts.front().relativeRmse > *limit)) continue;
+    if (!limit || row.parts.front().relativeRmse <= *limit) continue;  // what is not a number fails
     char error[32];
     std::snprintf(error, sizeof error, " %.3f", row.parts.front().relativeRmse);
     above += (failed++ == 0 ? "" : ", ") + row.scene + "/" + row.camera + error;

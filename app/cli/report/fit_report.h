@@ -10,8 +10,7 @@
 
 namespace boxprobe {
 
-/// Of one probe, as `fit --json` lists it. `before`: as it was given; `light`: if it was
-/// measured.
+/// Of one probe, as `fit --json` lists it. `before`: as given. `light`: if measured.
 nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit, const std::optional<FitLightErrors>& light = {});
 
 /// The same for people, with a line for each face whose position counts.

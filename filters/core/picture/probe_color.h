@@ -23,8 +23,9 @@ inline glm::vec3 skyColor() {
   return glm::vec3(0.22f);
 }
 
-/// -x +x -y +y -z +z: red, green, blue by axis, darker for the negative side, by so much that eyes without one kind of
-/// cones tell them apart, too (CIEDE2000 above 20 under the simulation of Machado et al. 2009).
+/// -x +x -y +y -z +z: red, green, blue by axis. Darker for the negative side, so that they differ under colour
+/// blindness, too (CIE 1976 difference of at least 20, simulated after Machado et al. 2009;
+/// tests/gui/color_vision_test.cpp).
 inline const std::array<glm::vec3, 6>& faceColors() {
   static const std::array<glm::vec3, 6> colors = {glm::vec3(0.345f, 0.000f, 0.008f), glm::vec3(0.804f, 0.584f, 0.596f),
                                                   glm::vec3(0.000f, 0.502f, 0.016f), glm::vec3(0.016f, 0.953f, 0.094f),

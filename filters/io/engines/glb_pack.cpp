@@ -11,6 +11,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
+#include "filters/core/base/one_line.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/io/engines/glb_probes.h"
 #include "filters/io/engines/glb_scene.h"
@@ -24,7 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Json glbBox(const glm::vec3& low, const glm::vec3& high) {
+template <class Vector>
+Json glbBox(const Vector& low, const Vector& high) {
   return {{"min", glbNumbers(low)}, {"max", glbNumbers(high)}};
 }
 
@@ -77,6 +79,8 @@ class Packer {
     requireGlbSize(document_, bytes, path_);
     Json materials = writeSceneInto(document_, content_.scene, model, content_.diffuse.countedLights);
     Json extension = {{"version", 1}, {"writer", content_.writer}};
+    const Json& views = document_.json["bufferViews"];
+    extension["model"] = {{"bytes", document_.binary.size()}, {"bufferViews", views.is_array() ? views.size() : 0}};
     extension["probes"] = probesJson();
     if (content_.sky) extension["sky"] = {{"map", addMap(*content_.sky, nullptr)}};
     extension["maps"] = std::move(maps_);
@@ -97,16 +101,40 @@ class Packer {
   }
 
  private:
-  /// A file that was written here is written again from its model as that had been.
+  /// A file that was written here has its materials as its model had them, and no maps, lattices and pictures of
+  /// before.
   void forgetBefore() {
     Json& root = document_.json;
     if (!root.contains("extensions") || !root["extensions"].contains(kGlbExtension)) return;
     const Json extension = root["extensions"][kGlbExtension];
     root["extensions"].erase(kGlbExtension);
+    cutAfterModel(extension);
     if (!extension.contains("materials") || !extension["materials"].is_object()) return;
     for (const auto& [number, material] : extension["materials"].items()) {
       root["materials"].at(std::stoul(number)) = material;  // checked when the model was read
     }
+  }
+
+  /// What was appended to the model's bytes goes, where nothing of the model lies behind it.
+  void cutAfterModel(const Json& extension) {
+    const Json before = extension.value("model", Json());
+    Json& views = document_.json["bufferViews"];
+    if (!before.is_object() || !views.is_array()) return;
+    const Json count = before.value("bufferViews", Json()), bytes = before.value("bytes", Json());
+    if (!count.is_number_unsigned() || !bytes.is_number_unsigned()) return;
+    const std::size_t kept = count.get<std::size_t>(), end = bytes.get<std::size_t>();
+    if (kept > views.size() || end > document_.binary.size()) return;
+    for (const char* list : {"accessors", "images"}) {
+      if (!document_.json.contains(list)) continue;
+      for (const Json& user : document_.json[list]) {
+        if (user.value("bufferView", std::size_t(0)) >= std::max<std::size_t>(kept, 1)) return;
+      }
+    }
+    for (std::size_t i = 0; i < kept; ++i) {
+      if (views[i].value("byteOffset", std::size_t(0)) + views[i].value("byteLength", std::size_t(0)) > end) return;
+    }
+    views.erase(views.begin() + static_cast<std::ptrdiff_t>(kept), views.end());
+    document_.binary.resize(end);
   }
 
   Json probesJson() {
@@ -123,9 +151,8 @@ class Packer {
                    {"origin", glbNumbers(g.originWorld)},
                    {"rotation", glbQuaternion(g.worldFromProbe)},
                    {"box", glbBox(g.boxMin, g.boxMax)},
-                   {"influence", {{"min", glbNumbers(low)}, {"max", glbNumbers(high)}}},
-                   {"blendDistance",
-                    {{"min", glbNumbers(probe.blendDistance.min)}, {"max", glbNumbers(probe.blendDistance.max)}}},
+                   {"influence", glbBox(low, high)},
+                   {"blendDistance", glbBox(probe.blendDistance.min, probe.blendDistance.max)},
                    {"importance", probe.importance},
                    {"intensity", probe.intensity},
                    {"near", probe.nearDistance},
@@ -206,11 +233,17 @@ class Packer {
     if (!fs::is_regular_file(path, ignored)) {
       throw InputError(place + ": " + path + ": only pictures of one file go into a .glb; join its faces first");
     }
-    std::string name = fs::path(path).filename().string();
+    std::string plain = fs::path(path).filename().string();
+    std::replace(plain.begin(), plain.end(), '\\', '_');
+    constexpr std::size_t kLongest = 150;  // bytes; the extension is at the end
+    if (plain.size() > kLongest) plain.erase(0, plain.size() - kLongest);
+    while (!plain.empty() && (plain.front() & 0xc0) == 0x80) plain.erase(0, 1);  // the rest of a letter
+    std::string name = plain;
     const auto taken = [this](const std::string& wanted) {
+      if (wanted == "probes") return true;  // the folder of the maps, where this is unpacked
       return std::any_of(names_.begin(), names_.end(), [&](const auto& entry) { return entry.second == wanted; });
     };
-    for (int copy = 2; taken(name); ++copy) name = std::to_string(copy) + "-" + fs::path(path).filename().string();
+    for (int copy = 2; taken(name); ++copy) name = std::to_string(copy) + "-" + plain;
     const std::string bytes = readWholeFile(path);
     requireGlbSize(document_, bytes.size(), path_);
     files_.push_back({{"name", name}, {"bufferView", addBytes(document_, bytes)}});
@@ -256,7 +289,14 @@ void requireGlbScene(const Scene& scene, const std::string& path) {
 
 std::string glbWithProbes(const GlbScene& content, const Model& model, const std::string& path) {
   requireGlbScene(content.scene, path);
-  return Packer(content, path).pack(model);
+  try {
+    return Packer(content, path).pack(model);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& problem) {
+    // A value of another kind than glTF asks for, which reading the model did not need.
+    throw InputError(oneLine(content.scene.models.front().file + ": " + problem.what() + "; export it again"));
+  }
 }
 
 }  // namespace boxprobe

@@ -63,6 +63,19 @@ Json writeMaterials(Json& root, const Scene& scene) {
       pbr["baseColorFactor"] = glbNumbers(*change.baseColor);
       pbr["baseColorFactor"].push_back(alpha);
     }
+    const auto put = [&](const char* extension, const char* field, const auto& value) {
+      if (!value) return;
+      material["extensions"][extension][field] = *value;
+      use(root, extension);
+    };
+    put("KHR_materials_clearcoat", "clearcoatFactor", change.coat);
+    put("KHR_materials_ior", "ior", change.ior);
+    put("KHR_materials_transmission", "transmissionFactor", change.transmission);
+    put("KHR_materials_volume", "thicknessFactor", change.thickness);
+    put("KHR_materials_volume", "attenuationDistance", change.attenuationDistance);
+    if (change.attenuationColor) {
+      put("KHR_materials_volume", "attenuationColor", std::optional<Json>(glbNumbers(*change.attenuationColor)));
+    }
     if (change.metallic) pbr["metallicFactor"] = *change.metallic;
     if (change.roughness) pbr["roughnessFactor"] = *change.roughness;
     if (change.normalScale && material.contains("normalTexture"))
@@ -144,6 +157,18 @@ void removeLights(Json& root) {
   if (used.is_array()) used.erase(std::remove(used.begin(), used.end(), Json(kLights)), used.end());
 }
 
+/// How far away a camera's target lies is not part of glTF.
+bool sameViews(const std::vector<Camera>& a, const std::vector<Camera>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Camera& one, const Camera& other) {
+    const glm::dvec3 ahead = glm::normalize(one.target - one.position);
+    const double scale = 1.0 + glm::length(one.position);
+    return one.name == other.name && glm::length(one.position - other.position) < 1e-6 * scale &&
+           glm::length(ahead - glm::normalize(other.target - other.position)) < 1e-6 &&
+           std::abs(one.verticalFovDegrees - other.verticalFovDegrees) < 1e-6 &&
+           std::abs(one.parallelHeight - other.parallelHeight) < 1e-6 * scale;
+  });
+}
+
 }  // namespace
 
 Json writeSceneInto(GlbDocument& document, const Scene& scene, const Model& model,
@@ -170,7 +195,7 @@ Json writeSceneInto(GlbDocument& document, const Scene& scene, const Model& mode
       use(root, kLights);
     }
   }
-  if (scene.cameras != placedCameras(model, placed)) {
+  if (!sameViews(scene.cameras, placedCameras(model, placed))) {
     for (const Camera& camera : scene.cameras) {
       const std::size_t node = cameraNode(root, camera);
       rootNodes(root).push_back(node);

@@ -60,7 +60,7 @@ class Entry {
     return value_.get<double>();
   }
   std::string text() const {
-    if (!value_.is_string()) fail("is not a text");
+    if (!value_.is_string()) fail("is not a string");
     return value_.get<std::string>();
   }
   glm::dvec3 vector() const {
@@ -83,7 +83,7 @@ Json extensionOf(const std::string& path, const std::string& text) {
   const Entry extension = Entry(root, path).at("extensions").at(kGlbExtension);
   const Json* version = extension.has("version") ? &extension.at("version").json() : nullptr;
   if (version == nullptr || *version != 1) {
-    throw InputError(place + ": is of version " + (version == nullptr ? "none" : version->dump()) +
+    throw InputError(place + (version == nullptr ? ": has no version" : ": is of version " + version->dump()) +
                      "; this program reads version 1");
   }
   return extension.json();
@@ -148,7 +148,7 @@ std::string_view viewBytes(const GlbDocument& document, const Entry& entry, cons
   const Entry view((*views)[number], "bufferView " + std::to_string(number));
   const std::size_t all = document.binary.size();
   const bool known = view.has("byteLength") && view.has("buffer") && view.at("buffer").json() == 0;
-  if (!known) index.fail("buffer view " + std::to_string(number) + " is none of the binary chunk");
+  if (!known) index.fail("buffer view " + std::to_string(number) + " is not in the binary chunk");
   const auto numberOf = [&](const char* member, std::size_t standard) {
     const Json* value = view.has(member) ? &view.at(member).json() : nullptr;
     if (value == nullptr) return standard;
@@ -177,7 +177,7 @@ void readHalves(std::string_view bytes, float* values) {
 }
 
 BakedMaps readMaps(const GlbDocument& document, const Entry& map) {
-  if (map.at("encoding").text() != "rgba16f") map.at("encoding").fail("is none that this program reads: rgba16f");
+  if (map.at("encoding").text() != "rgba16f") map.at("encoding").fail("is not supported; expected rgba16f");
   const std::vector<Entry> levels = map.list("levels");
   if (levels.empty() || levels.size() > kMostLevels) map.fail("has no levels, or more than 13");
   const std::size_t size = levels.front().at("size").whole(4096);
@@ -208,7 +208,7 @@ BakedMaps readMaps(const GlbDocument& document, const Entry& map) {
     }
   }
   const std::vector<Entry> irradiance = map.list("irradiance");
-  if (irradiance.size() != maps.irradiance.size()) map.fail("has not nine \"irradiance\" coefficients");
+  if (irradiance.size() != maps.irradiance.size()) map.fail("needs nine \"irradiance\" coefficients");
   for (std::size_t i = 0; i < irradiance.size(); ++i) maps.irradiance[i] = glm::vec3(irradiance[i].vector());
   maps.capturedAt = map.at("capturedAt").vector();
   maps.capturedRotation = map.at("capturedRotationDegrees").vector();
@@ -216,10 +216,12 @@ BakedMaps readMaps(const GlbDocument& document, const Entry& map) {
 }
 
 void saveMap(const GlbDocument& document, const Entry& extension, const Entry& owner, const Probe& probe,
-             const std::string& folder) {
+             const std::string& folder, std::set<std::size_t>& used) {
   const std::vector<Entry> all = extension.list("maps");
   if (all.empty()) owner.at("map").fail("the file has no maps");
-  const Entry& map = all[owner.at("map").whole(all.size() - 1)];
+  const std::size_t number = owner.at("map").whole(all.size() - 1);
+  if (!used.insert(number).second) owner.at("map").fail("map " + std::to_string(number) + " has an owner already");
+  const Entry& map = all[number];
   BakedMaps maps = readMaps(document, map);
   if (!map.has("inputs")) return;  // of a probe that is not baked
   const auto record = BakeRecord::parse(map.at("inputs").text());
@@ -256,23 +258,27 @@ void unpackGlb(const std::string& path, const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
+  std::size_t left = document.binary.size();  // files may name one view again and again
   for (const Entry& file : extension.list("files")) {
     const std::string_view bytes = viewBytes(document, file, "bufferView", std::nullopt);
+    if (bytes.size() > left) file.fail("the pictures have more bytes than the file");
+    left -= bytes.size();
     writeTextAtomically((fs::path(folder) / file.at("name").text()).string(), std::string(bytes));
   }
   const std::string maps = (fs::path(folder) / kMaps).string();
   std::set<std::string> saved;
+  std::set<std::size_t> used;
   for (const Entry& entry : extension.list("probes")) {
     const std::string name = entry.at("name").text();
     const auto index = findProbe(scene, name);
     if (!index) entry.fail("\"" + name + "\" is no probe of the scene");
     if (!saved.insert(name).second) entry.fail("\"" + name + "\" is there twice");
-    if (entry.has("map")) saveMap(document, extension, entry, scene.probes[*index], maps);
+    if (entry.has("map")) saveMap(document, extension, entry, scene.probes[*index], maps, used);
   }
   if (extension.has("sky")) {
     Probe sky;
     sky.name.clear();
-    saveMap(document, extension, extension.at("sky"), sky, maps);
+    saveMap(document, extension, extension.at("sky"), sky, maps, used);
   }
 }
 

@@ -42,7 +42,7 @@ constexpr OtherFormat kOtherFormats[] = {
     {".igs", "IGES", kByFreeCad},
     {".ifc", "IFC", kByFreeCad},
     {".vrm", "VRM", "it is glTF: give it the extension .glb"},
-    {".vtk", "old VTK", "write it as .vtp: vtkXMLPolyDataWriter, or File > Save Data in ParaView"},
+    {".vtk", "legacy VTK", "write it as .vtp: vtkXMLPolyDataWriter, or File > Save Data in ParaView"},
     {".vtu", "VTK volume", "extract its surface and write that as .vtp, in ParaView"},
 };
 

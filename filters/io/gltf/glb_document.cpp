@@ -1,5 +1,6 @@
 #include "filters/io/gltf/glb_document.h"
 
+#include <algorithm>
 #include <fstream>
 #include <vector>
 
@@ -13,7 +14,6 @@ namespace boxprobe {
 
 namespace {
 
-constexpr std::uint64_t kMostBytes = 0xfffffff0u;  // what openGltf() reads
 constexpr std::uint64_t kHeaders = 12 + 8 + 8;
 
 void append32(std::string& bytes, std::uint64_t value) {
@@ -38,13 +38,13 @@ struct JoinedBuffer {
 
 std::size_t wholeNumber(const GltfFile& file, const Json* value, std::size_t standard, const std::string& place) {
   if (value == nullptr) return standard;
-  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > kMostBytes) {
+  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > kMostGltfBytes) {
     file.fail(place, "is not a whole number in range; export it again");
   }
   return value->get<std::size_t>();
 }
 
-std::vector<JoinedBuffer> joinBuffers(const GltfFile& file, const Chunks& chunks, GlbDocument& document) {
+std::vector<JoinedBuffer> joinBuffers(const GltfFile& file, const GltfSource& source, GlbDocument& document) {
   std::vector<JoinedBuffer> joined;
   Json kept = Json::array({Json::object()});
   Json* buffers = member(document.json, "buffers");
@@ -61,19 +61,15 @@ std::vector<JoinedBuffer> joinBuffers(const GltfFile& file, const Chunks& chunks
       kept.push_back(buffer);
       continue;
     }
+    // Each buffer may name the same bytes once more.
+    if (length > kMostGltfBytes - std::min<std::uint64_t>(document.binary.size(), kMostGltfBytes)) {
+      file.fail("buffers", "have more than 4095 MB together; split the model");
+    }
     std::unique_ptr<std::string> read;
-    ByteRange range = chunks.binary;
-    if (uri != nullptr) {
-      read = readUri(file, uri->get<std::string>());
-      if (!read) file.fail(place, uri->get<std::string>() + " does not exist; check the path");
-      range = {reinterpret_cast<const unsigned char*>(read->data()), read->size()};
-    }
-    if (length > range.size) {
-      file.fail(place, "has " + std::to_string(range.size) + " bytes, but byteLength is " + std::to_string(length) +
-                           "; the file is cut off");
-    }
+    const ByteRange range = bufferBytes(file, i, uri != nullptr ? uri->get<std::string>() : std::string(),
+                                        source.binary ? &source.chunks.binary : nullptr, length, read);
     joined.push_back({0, document.binary.size()});
-    document.binary.append(reinterpret_cast<const char*>(range.data), length);
+    document.binary.append(reinterpret_cast<const char*>(range.data), range.size);
     document.binary.resize((document.binary.size() + 15) / 16 * 16, '\0');  // views keep what they were aligned to
   }
   document.json["buffers"] = std::move(kept);
@@ -92,7 +88,7 @@ const char* mimeOf(const std::string& bytes) {
   if (bytes.compare(0, 4, "\x89PNG") == 0) return "image/png";
   if (bytes.compare(0, 2, "\xff\xd8") == 0) return "image/jpeg";
   if (bytes.size() > 12 && bytes.compare(0, 4, "RIFF") == 0 && bytes.compare(8, 4, "WEBP") == 0) return "image/webp";
-  if (bytes.compare(1, 6, "KTX 20") == 0) return "image/ktx2";
+  if (bytes.size() > 7 && bytes.compare(1, 6, "KTX 20") == 0) return "image/ktx2";
   return nullptr;
 }
 
@@ -101,10 +97,11 @@ void takeImages(const GltfFile& file, GlbDocument& document) {
   if (images == nullptr || !images->is_array()) return;
   for (Json& image : *images) {
     const Json* uri = member(image, "uri");
-    if (uri == nullptr || !uri->is_string() || uri->get<std::string>().compare(0, 5, "data:") == 0) continue;
+    if (uri == nullptr || !uri->is_string() || isDataUri(uri->get<std::string>())) continue;
     const auto bytes = readUri(file, uri->get<std::string>());
     const char* mime = bytes ? mimeOf(*bytes) : nullptr;
-    if (mime == nullptr) continue;  // readers will miss it as those of the file do
+    if (mime == nullptr) continue;  // it keeps its address: there is none, or no format that a .glb may hold
+    requireGlbSize(document, bytes->size(), file.path);
     image.erase("uri");
     image["bufferView"] = addBytes(document, *bytes);
     image["mimeType"] = mime;
@@ -114,18 +111,14 @@ void takeImages(const GltfFile& file, GlbDocument& document) {
 }  // namespace
 
 GlbDocument readGlbDocument(const std::string& path) {
-  const std::string bytes = readWholeFile(path, kMostBytes);
-  const bool binary = bytes.compare(0, 4, "glTF") == 0;
-  const Chunks chunks = binary ? chunksOf(bytes, path) : Chunks();
-  const std::string& text = binary ? chunks.json : bytes;
-  checkJsonSyntax(text, binary ? path + ": JSON chunk" : path);
+  const GltfSource source = readGltfSource(path);
   GltfFile file;
   file.path = path;
   GlbDocument document;
   try {
-    document.json = Json::parse(text);
+    document.json = Json::parse(source.json());
     if (!document.json.is_object()) file.fail("asset", "is missing; is it a glTF file?");
-    const std::vector<JoinedBuffer> joined = joinBuffers(file, chunks, document);
+    const std::vector<JoinedBuffer> joined = joinBuffers(file, source, document);
     if (Json* views = member(document.json, "bufferViews"); views != nullptr && views->is_array()) {
       for (std::size_t i = 0; i < views->size(); ++i) {
         const std::string place = "bufferView " + std::to_string(i);
@@ -152,7 +145,7 @@ std::size_t addBytes(GlbDocument& document, const std::string& bytes) {
 
 void requireGlbSize(const GlbDocument& document, std::uint64_t more, const std::string& path) {
   const std::uint64_t size = kHeaders + document.binary.size() + more;
-  if (size <= kMostBytes) return;
+  if (size <= kMostGltfBytes) return;
   throw InputError(
       path + ": would have " + std::to_string(size >> 20) +
       " MB, and a .glb file counts its bytes in 32 bits: 4095 MB at most; lower faceSize of the probes, or "

@@ -1,6 +1,8 @@
 // The container of a .glb file.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 
 #include "filters/io/gltf/gltf_parts.h"
@@ -15,5 +17,23 @@ struct Chunks {
 
 /// Throws InputError with `path` for what is cut off or of another version.
 Chunks chunksOf(const std::string& bytes, const std::string& path);
+
+/// A file of either form as it lies on the disk.
+struct GltfSource {
+  std::string bytes;
+  bool binary = false;  ///< .glb: `chunks` are its own; else `bytes` are the JSON text
+  Chunks chunks;
+  const std::string& json() const { return binary ? chunks.json : bytes; }
+};
+
+/// The size and the syntax of the JSON text are checked. Throws InputError.
+GltfSource readGltfSource(const std::string& path);
+
+/// The `length` bytes of buffer `index`: of its `uri`, else of the binary chunk, null for a file without one. `read`
+/// keeps what was read. Throws InputError for what is missing or cut off.
+ByteRange bufferBytes(const GltfFile& file, std::size_t index, const std::string& uri, const ByteRange* chunk,
+                      std::uint64_t length, std::unique_ptr<std::string>& read);
+
+constexpr std::uint64_t kMostGltfBytes = 0xfffffff0u;  ///< of a file: both tinygltf and .glb count in 32 bits
 
 }  // namespace boxprobe

@@ -56,14 +56,16 @@ void warnOfClipping(GltfFile& file, const GltfNodes& nodes) {
 }
 
 void warnOfShape(GltfFile& file, const GltfNodes& nodes) {
+  constexpr std::size_t kMostTold = 8;
+  std::size_t told = 0;
   for (std::size_t i = 0; i < nodes.cameras.size(); ++i) {
     const double aspect = nodes.clips[i].aspect;
     if (!(aspect > 0.0 && std::isfinite(aspect)) || std::fabs(aspect / kUsualShape - 1.0) < kSameShape) continue;
     constexpr double kHeight = 720.0, kMostPixels = 16384.0;
     const double width = std::round(std::clamp(aspect * kHeight, 1.0, kMostPixels));
-    file.warn(oneLine("has cameras whose picture is not 16:9; theirs is --size " + numberText(width) + "x" +
-                      numberText(kHeight) + " (" + nodes.cameras[i].name.substr(0, 200) + ")"));
-    return;
+    file.warn(oneLine("has a camera whose picture is not 16:9 (" + nodes.cameras[i].name.substr(0, 200) +
+                      "); render it with --size " + numberText(width) + "x" + numberText(kHeight)));
+    if (++told == kMostTold) return;
   }
 }
 

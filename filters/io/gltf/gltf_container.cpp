@@ -87,13 +87,13 @@ std::string percentDecoded(const std::string& uri) {
   return text;
 }
 
-/// Decodes the data behind the comma. tinygltf accepts few media types, so all are renamed to one of them.
 bool sameIgnoringCase(const std::string& text, std::size_t at, const std::string& lower) {
   if (at > text.size() || text.size() - at < lower.size()) return false;
   return std::equal(lower.begin(), lower.end(), text.begin() + static_cast<std::ptrdiff_t>(at),
                     [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
+/// Decodes the data behind the comma. tinygltf accepts few media types, so all are renamed to one of them.
 std::string dataOf(const GltfFile& file, const std::string& uri) {
   const std::size_t comma = uri.find(',');
   const std::string kind = uri.substr(0, std::min(comma, std::size_t(100)));
@@ -116,27 +116,10 @@ void readBuffers(GltfFile& file, const GltfText& text, const Chunks* chunks) {
     std::vector<unsigned char>& data = file.gltf.buffers.at(i).data;
     data.clear();
     if (source.unused) continue;
-    const std::string place = "buffer " + std::to_string(i);
-    std::unique_ptr<std::string> bytes;
-    ByteRange range;
-    if (!source.uri.empty()) {
-      bytes = readUri(file, source.uri);
-      if (!bytes) {
-        throw InputError(oneLine(file.path + ": " +
-                                 (fs::path(file.path).parent_path() / percentDecoded(source.uri)).string() +
-                                 ": does not exist; check the path"));
-      }
-      range = {reinterpret_cast<const unsigned char*>(bytes->data()), bytes->size()};
-    } else if (chunks != nullptr) {
-      range = chunks->binary;
-    } else {
-      file.fail(place, "has no uri; export it again");
-    }
-    if (source.byteLength > range.size) {
-      file.fail(place, "has " + std::to_string(range.size) + " bytes, but byteLength is " +
-                           std::to_string(source.byteLength) + "; the file is cut off");
-    }
-    if (source.byteLength > 0) data.assign(range.data, range.data + source.byteLength);
+    std::unique_ptr<std::string> read;
+    const ByteRange* chunk = chunks != nullptr ? &chunks->binary : nullptr;
+    const ByteRange range = bufferBytes(file, i, source.uri, chunk, source.byteLength, read);
+    if (range.size > 0) data.assign(range.data, range.data + range.size);
   }
 }
 
@@ -174,17 +157,44 @@ std::unique_ptr<std::string> readUri(const GltfFile& file, const std::string& ur
   }
 }
 
+ByteRange bufferBytes(const GltfFile& file, std::size_t index, const std::string& uri, const ByteRange* chunk,
+                      std::uint64_t length, std::unique_ptr<std::string>& read) {
+  const std::string place = "buffer " + std::to_string(index);
+  ByteRange range;
+  if (!uri.empty()) {
+    read = readUri(file, uri);
+    if (!read) {
+      throw InputError(oneLine(file.path + ": " + (fs::path(file.path).parent_path() / percentDecoded(uri)).string() +
+                               ": does not exist; check the path"));
+    }
+    range = {reinterpret_cast<const unsigned char*>(read->data()), read->size()};
+  } else if (chunk != nullptr) {
+    range = *chunk;
+  } else {
+    file.fail(place, "has no uri; export it again");
+  }
+  if (length > range.size) {
+    file.fail(place, "has " + std::to_string(range.size) + " bytes, but byteLength is " + std::to_string(length) +
+                         "; the file is cut off");
+  }
+  return {range.data, static_cast<std::size_t>(length)};
+}
+
+GltfSource readGltfSource(const std::string& path) {
+  GltfSource source;
+  source.bytes = readWholeFile(path, kMostGltfBytes);
+  source.binary = source.bytes.compare(0, 4, "glTF") == 0;
+  if (source.binary) source.chunks = chunksOf(source.bytes, path);
+  checkJsonSyntax(source.json(), source.binary ? path + ": JSON chunk" : path);
+  return source;
+}
+
 GltfFile openGltf(const std::string& path) {
-  constexpr std::uintmax_t kLargestFile = 0xfffffff0u;  // tinygltf counts bytes in 32 bits
-  const std::string bytes = readWholeFile(path, kLargestFile);
-  const bool binary = bytes.compare(0, 4, "glTF") == 0;
-  const Chunks chunks = binary ? chunksOf(bytes, path) : Chunks();
-  const std::string& json = binary ? chunks.json : bytes;
-  checkJsonSyntax(json, binary ? path + ": JSON chunk" : path);
+  const GltfSource source = readGltfSource(path);
 
   GltfFile file;
   file.path = path;
-  const GltfText text = prepareGltf(file, json);
+  const GltfText text = prepareGltf(file, source.json());
   tinygltf::TinyGLTF loader;
   std::string error, ignoredWarnings;  // its warnings concern images, which are hidden from it
   bool read = false;
@@ -196,7 +206,7 @@ GltfFile openGltf(const std::string& path) {
   }
   if (!read) throw InputError(path + ": " + reasonOf(error) + "; export it again");
   if (file.gltf.buffers.size() != text.buffers.size()) file.fail("buffers", "cannot be read; export it again");
-  readBuffers(file, text, binary ? &chunks : nullptr);
+  readBuffers(file, text, source.binary ? &source.chunks : nullptr);
   unpackMeshopt(file);
   return file;
 }

@@ -83,8 +83,9 @@ std::string greyName(const Imf::ChannelList& channels) {
   auto second = first;
   const std::string name = first.name();
   const bool alone = ++second == channels.end();
+  const std::string bare = name.substr(name.rfind('.') + 1);  // without the layer
   for (const char* other : {"Z", "distance", "A", "a"}) {
-    if (name == other) return {};
+    if (bare == other) return {};
   }
   const bool colour = first.channel().type != Imf::UINT;  // else numbers of objects
   return alone && colour ? name : std::string();
@@ -250,19 +251,23 @@ void withExrFile(const std::string& path, const std::function<void(Imf::MultiPar
 }
 
 int picturePart(const Imf::MultiPartInputFile& file, const std::string& path) {
-  int first = -1;
-  for (int part = 0; part < file.parts(); ++part) {
-    const Imf::Header& header = file.header(part);
-    const bool picture = isFlat(header) && (hasColor(header.channels()) || hasChroma(header.channels()) ||
-                                            !greyName(header.channels()).empty());
-    if (!picture) continue;
-    if (Imf::hasEnvmap(header)) return part;
-    if (first < 0) first = part;
-  }
-  if (first >= 0) return first;
-  for (int part = 0; part < file.parts(); ++part) {
-    if (isFlat(file.header(part)) && colorNames(file.header(part).channels())) return part;
-  }
+  using Channels = Imf::ChannelList;
+  const auto partWith = [&file](bool (*holds)(const Channels&)) {
+    int first = -1;
+    for (int part = 0; part < file.parts(); ++part) {
+      const Imf::Header& header = file.header(part);
+      if (!isFlat(header) || !holds(header.channels())) continue;
+      if (Imf::hasEnvmap(header)) return part;
+      if (first < 0) first = part;
+    }
+    return first;
+  };
+  // Colours before a single channel, which may be fog or a mask.
+  int part =
+      partWith([](const Channels& all) { return hasColor(all) || hasChroma(all) || all.findChannel("Y") != nullptr; });
+  if (part < 0) part = partWith([](const Channels& all) { return colorNames(all).has_value(); });
+  if (part < 0) part = partWith([](const Channels& all) { return !greyName(all).empty(); });
+  if (part >= 0) return part;
   requireFlat(file.header(0), partName(path, 0));
   planChannels(file.header(0).channels(), partName(path, 0));  // throws if a channel is missing
   return 0;

@@ -69,7 +69,7 @@ for (const view of views) {
     for (let y = 0; y < height; y++) picture.copy(sheet.data, 4 * (y * sheet.width + n * width), 4 * y * width, 4 * (y + 1) * width);
   });
   writeFileSync(path.join(out, view.name + '.png'), PNG.sync.write(sheet));
-  const right = on.pixels > 1000 && on.db >= view.least && Math.abs(on.light - 1) <= view.light && !errors.length;
+  const right = on.pixels > 1000 && on.db >= view.least && Math.abs(on.light - 1) <= view.light && !errors.length && !issues.numWarnings;
   console.log(`${view.name}: ${on.db.toFixed(1)} dB over ${on.pixels} pixels (at least ${view.least}), ${on.light.toFixed(3)} of their light; ` +
     `${all.db.toFixed(1)} dB over all, ${all.light.toFixed(3)}; validator: ${errors.length} errors, ${issues.numWarnings} warnings; drawn by ${drawn.renderer}${right ? '' : ': FAILED'}`);
   good = good && right;
