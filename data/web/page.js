@@ -237,7 +237,7 @@
   function goToAddress() {
     let name = location.hash.slice(1);
     try { name = decodeURIComponent(name); } catch { /* "%" alone is no code: as it is written */ }
-    const target = document.getElementById(name);
+    const named = document.getElementById(name), target = named && (named.closest('.step') || named);  // a former lesson's is within
     const lesson = target && target.matches('.step') && target.closest('section');
     if (!lesson || !target.hidden) return;
     lesson.dataset.shown = [...lesson.querySelectorAll('.step')].indexOf(target);

@@ -45,7 +45,7 @@ double sharesOneReflection(double cosine, double alpha, const Masking& masking) 
   return sum / (static_cast<double>(kSteps) * kSteps);
 }
 
-// The three shares that the lesson swallowed-light names. The fit is to blame, not that it takes view and light apart.
+// The three shares that the lesson lobe names. The fit is to blame, not that it takes view and light apart.
 TEST(PublishedForms, TheFitSwallowsLightThatSmithsTermLeaves) {
   constexpr double kAlpha = 0.25, kCosine = 0.5;
   const auto fit = [](double c) { return c / (c * (1.0 - 0.5 * kAlpha) + 0.5 * kAlpha); };  // Karis 2013

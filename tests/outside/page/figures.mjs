@@ -161,11 +161,11 @@ check(moves >= 9 && moves <= 11, `stopped and played again it moves once a frame
 
 // Steps wait for a guess, and the verdict stands in the question.
 const steps = () => page.evaluate(`[...document.querySelectorAll('.step')].map((step) => getComputedStyle(step).display !== 'none')`);
-check((await steps()).join() === 'true,false', 'the step that answers is hidden');
+check((await steps()).join() === 'true,false,false,false,false,false', 'the step that answers is hidden, and all after it');
 const answering = () => page.evaluate(`['.measured', '.exercises', '.widget:has(.plan)', '.widget:has(.room-view)'].map((part) => document.querySelector(part).hidden).join()`);
 check(await answering() === 'true,true,true,true', 'and what was measured, the exercises, the plan and the room with it');
 await page.click(...await page.middle('.question details.wrong summary'));
-check((await steps()).join() === 'true,true' && await answering() === 'false,false,false,false', 'after a guess all of them stand there');
+check((await steps()).join() === 'true,true,true,false,false,false' && await answering() === 'true,true,true,true', 'after a guess the steps up to the next question stand there');
 const verdict = await page.evaluate(`document.querySelector('.question .verdict').textContent`);
 check(/Not that one.*0 of 1 right/.test(verdict), `the verdict stands in the question: ${verdict}`);
 await page.click(...await page.middle('.question details.right summary'));
@@ -174,7 +174,9 @@ const reload = page.event('Page.loadEventFired');
 await page.send('Page.reload');
 await reload;
 await page.until('document.querySelectorAll(".question .verdict").length > 0');
-check((await steps()).join() === 'true,true', 'the guess is kept');
+check((await steps()).join() === 'true,true,true,false,false,false', 'the guess is kept');
+await page.click(...await page.middle('.step:nth-of-type(3) .question details.right summary'));
+check((await steps()).join() === 'true,true,true,true,true,true' && await answering() === 'false,false,false,false', 'after the last guess everything stands there');
 await page.middle('[data-figure=infinity]');  // a figure begins when it is seen
 await page.until('Number(document.querySelector("[data-figure=infinity]").dataset.drawn) > 1');
 check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
@@ -192,12 +194,20 @@ await page.close();
 const addressed = await BrowserPage.open(made('floor-mirror') + '#floor-mirror-2');
 check(await addressed.evaluate(`!document.getElementById('floor-mirror-2').hidden`), "a step's own address shows it");
 await addressed.close();
+const former = await BrowserPage.open(made('floor-mirror') + '#in-the-cubemap');
+check(await former.evaluate(`!document.getElementById('floor-mirror-3').hidden && document.getElementById('floor-mirror-4').hidden && Math.abs(document.getElementById('floor-mirror-3').getBoundingClientRect().top) < innerHeight`), 'the name of a lesson that was merged into this one shows where it begins');
+await former.close();
 const odd = await BrowserPage.open(made('floor-mirror') + '#%');
 check(await odd.evaluate(`document.querySelectorAll('.waiting').length`) === 1 && odd.messages.length === 0, 'an address that is no code does no harm');
 await odd.close();
 
+const last = await BrowserPage.open(made('bounces'));
+await last.click(...await last.middle('.question details.wrong summary'));
+check(/^Make a guess, and what was measured appears\.Show/.test(await last.evaluate(`document.querySelector('.waiting').textContent`)), 'a question in the last step says what it hides');
+await last.close();
+
 // B: where must you stand?
-const stand = await BrowserPage.open(made('in-the-cubemap'), { width: 1280, height: 900 });
+const stand = await BrowserPage.open(made('floor-mirror'), { width: 1280, height: 900 });
 const stood = 'document.querySelector("[data-figure=stand]")';
 check(await stand.evaluate(`${stood}.getBoundingClientRect().height`) === 0, 'it waits for a guess');
 await stand.click(...await stand.middle('.waiting button'));
@@ -307,7 +317,6 @@ for (const [name, across, down] of [['P', 60, 0], ['C', 40, 30], ['P', -130, 0],
 }
 check(positions === 5, 'P and C are dragged');
 check(worstAngle < 0.01 && worstLevel < 0.02, `the patch from C, as a fan of triangles: solid angle off by ${(100 * worstAngle).toFixed(2)} %, level by ${worstLevel.toFixed(4)}`);
-check(/^Make a guess, and what was measured appears\.Show/.test(await cone.evaluate(`document.querySelector('.waiting').textContent`)), 'a question in the last step says what it hides');
 const curves = () => cone.evaluate(`({ ...${coned}.boxprobeCone.curves(), revealed: ${coned}.dataset.revealed, drawn: ${coned}.querySelectorAll('.curve').length })`);
 check((await curves()).drawn === 0, 'no curve before a guess');
 const area = await cone.evaluate(`(() => { const r = ${coned}.querySelector('.draws').getBoundingClientRect(); return [r.x, r.y, r.width / 480, r.height / 330]; })()`);

@@ -104,7 +104,7 @@ await page.send('Emulation.setEmulatedMedia', { media: 'print' });
 check(onScreen && !(await covered()), 'on paper an open wipe leaves the picture itself');
 await page.send('Emulation.setEmulatedMedia', { media: '' });
 
-// The room, at the face size it is in the page with, as the lesson's first step has it.
+// The room, at the face size it is in the page with, as the step with the task has it: its box ends a metre behind the wall.
 const [ox, oy] = await page.middle('.open-room');
 await page.click(ox, oy);
 await page.until('Number(document.querySelector(".room-view").dataset.drawn) > 0 || !!document.querySelector(".room-said")?.textContent', 240);
@@ -112,7 +112,7 @@ await page.screenshot(path.join(out, 'room.png'));
 const png = path.join(out, 'render.png'), width = 480, height = 300;
 for (const technique of ['infinite', 'box']) {
   execFileSync(program, ['render', path.join(scenes, 'room.boxprobe.json'), '-o', png, '--size', `${width}x${height}`, '--camera', 'A', '--samples', '1', '--quiet', '--technique', technique,
-    '--set', 'probes.room.faceSize=128', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
+    '--set', 'probes.room.faceSize=128', '--set', 'probes.room.box.max=[5,3,3]', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
   await page.evaluate(`(async () => { const host = document.createElement('div'); host.className = 'room-view'; document.body.append(host); const from = document.querySelector('.room-view');
     await boxprobeRoom(host, JSON.parse(document.getElementById(from.dataset.scene).textContent), { antialias: false, prepare: (room) => boxprobeView(room, JSON.parse(from.dataset.view)) });
     host.boxprobePanel.redraw = () => {}; window.plainRoom = host.boxprobeRoom; plainRoom.row = plainRoom.findRow('${technique}', 'none'); })()`);
