@@ -392,6 +392,22 @@ TEST_F(LessonTest, ProgressIsKeptShownAndForgotten) {
   EXPECT_FALSE(button("forgetProgress")->isEnabled());
 }
 
+TEST_F(LessonTest, AFormerNameOpensWhereThatLessonWent) {
+  lessons().setFolder(lessonFolder());
+  window_->openLesson("in-the-cubemap");
+  ASSERT_NE(visit().lesson(), nullptr);
+  EXPECT_EQ(visit().lesson()->name, "floor-mirror");
+  EXPECT_EQ(visit().step(), 2u);
+  window_->openLesson("floor-mirror", 0);
+  window_->openLesson("planar-mirror");  // starts anew from another scene
+  ASSERT_NE(visit().lesson(), nullptr);
+  EXPECT_EQ(visit().lesson()->name, "proxies");
+  EXPECT_EQ(visit().step(), 3u);
+  EXPECT_FALSE(lessons().mayWrite(QString::fromStdString(visit().lesson()->steps[3].scene)));
+  EXPECT_FALSE(lessons().mayWrite(QString::fromStdString(visit().lesson()->scene)));
+  waitUntilIdle();
+}
+
 TEST_F(LessonTest, AnUnknownLessonIsToldInOneLine) {
   QString line;
   QObject::connect(&lessons(), &LessonView::failed, window_, [&line](const QString& told) { line = told; });
