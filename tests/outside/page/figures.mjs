@@ -201,10 +201,10 @@ const odd = await BrowserPage.open(made('floor-mirror') + '#%');
 check(await odd.evaluate(`document.querySelectorAll('.waiting').length`) === 1 && odd.messages.length === 0, 'an address that is no code does no harm');
 await odd.close();
 
-const last = await BrowserPage.open(made('bounces'));
-await last.click(...await last.middle('.question details.wrong summary'));
-check(/^Make a guess, and what was measured appears\.Show/.test(await last.evaluate(`document.querySelector('.waiting').textContent`)), 'a question in the last step says what it hides');
-await last.close();
+const lastStep = await BrowserPage.open(made('bounces'));
+await lastStep.click(...await lastStep.middle('.question details.wrong summary'));
+check(/^Make a guess, and what was measured appears\.Show/.test(await lastStep.evaluate(`document.querySelector('.waiting').textContent`)), 'a question in the last step says what it hides');
+await lastStep.close();
 
 // B: where must you stand?
 const stand = await BrowserPage.open(made('floor-mirror'), { width: 1280, height: 900 });
