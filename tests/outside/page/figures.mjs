@@ -236,7 +236,7 @@ function meanOf({ eye, origin, room, columns, rows }) {
   return sum / (columns * rows);
 }
 // The place to be found is not given away: neither by its button nor by its ring, until C is brought there or it is asked for.
-const given = () => stand.evaluate(`!document.querySelector('[data-control="mirrored eye"]').hidden || !!${stood}.querySelector('.mirrored') || ${stood}.textContent.includes('mirrored')`);
+const given = () => stand.evaluate(`!document.querySelector('[data-control="mirrored eye"]').hidden || !!${stood}.querySelector('.mirrored') || ${stood}.innerText.includes('mirrored')`);
 const pressed = (control) => settled(async () => stand.click(...await stand.middle(control)));
 check(!(await given()), 'the place is not shown');
 check((await pressed('[data-control=box]')).mean < 1e-4 && !(await given()), 'nor is it by the box');
