@@ -135,6 +135,8 @@ check(Math.abs((await place())[0] - 0.49) < 1e-6, 'an arrow key moves P');
 for (const modifier of [1, 2, 4]) await page.key('ArrowDown', modifier);
 check(Math.abs((await place())[1] - 0.75) < 1e-6, 'with Alt, Ctrl or Meta it is left to the browser');
 await page.send('Emulation.setTouchEmulationEnabled', { enabled: true });
+// What the browser made of those keys, such as a smooth scroll, ends first.
+await page.evaluate(`new Promise((resolve) => { let last = NaN, same = 0; const look = () => { same = scrollY === last ? same + 1 : 0; last = scrollY; same > 9 ? resolve() : requestAnimationFrame(look); }; look(); })`);
 const canvas = await page.evaluate(`(() => { const r = ${figure}.canvas.getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()`);
 await page.touch('touchStart', canvas[0] + 0.3 * canvas[2], canvas[1] + 0.8 * canvas[3]);
 await page.touch('touchEnd');
