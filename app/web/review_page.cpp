@@ -97,7 +97,7 @@ std::string probeModeText(const Probe& probe) {
 
 std::string probeHtml(const ReviewedProbe& row) {
   const Probe& probe = row.probe;
-  const std::string fits = row.fit ? fitVerdict(*row.fit) : "its picture saw another place";
+  const std::string fits = row.fit ? fitVerdict(*row.fit) : "not fitted: its capture comes from another place";
   const std::string bounces =
       allBounces(probe) ? "all bounces" : count(static_cast<std::size_t>(probe.bounces), "bounce", "bounces");
   std::string remarks;
@@ -253,16 +253,15 @@ std::string ReviewPage::text() const {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width, initial-scale=1\">\n<title>Report: " +
          names_ + "</title>\n<style>\n" + std::string(webSource("review.css")) +
-         "</style></head><body>\n<h1>Report: " + names_ + "</h1>\n" + verdict +
+         "</style></head><body>\n<main>\n<h1>Report: " + names_ + "</h1>\n" + verdict +
          "<div class=\"scroll\"><table><thead><tr><th scope=\"col\">Camera</th><th scope=\"col\">Relative RMSE</th><th "
          "scope=\"col\">Light</th><th scope=\"col\">Noise</th>" +
          (settings_.failAbove ? "<th scope=\"col\">Limit</th>" : "") + "</tr></thead><tbody>\n" + rows_ +
          "</tbody></table></div>\n<p class=\"dim\">Relative RMSE: the root of the summed squared differences from the "
-         "path "
-         "traced picture over its summed squares, in linear light, its noise taken off; 0 is equal. Light: the "
-         "picture's "
-         "mean over the traced one's. Error maps show display colours.</p>\n" +
-         sections_ + "<footer><p>Boxprobe " BOXPROBE_VERSION "</p><pre><code>" + markup(settings_.command) +
+         "path-traced picture divided by that picture's summed squares, in linear light, with the path tracer's noise "
+         "subtracted; 0 means equal. Light: the drawn picture's mean divided by the traced one's. Error maps show "
+         "display colours.</p>\n" +
+         sections_ + "</main>\n<footer><p>Boxprobe " BOXPROBE_VERSION "</p><pre><code>" + markup(settings_.command) +
          "</code></pre></footer>\n<script>\n" + std::string(webSource("review.js")) + "</script></body></html>\n";
 }
 

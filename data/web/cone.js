@@ -4,7 +4,7 @@
 // the integral over the cone. Metres; x along the floor to the wall, y up, z across. Levels as in app/lessons: alpha = p^2 = (2^l - 1) / 63.
 'use strict';
 (() => {
-  const { element, takeHold } = boxprobeDrawing, WALL = 4, LAST = 6, TEXELS = 256, ELEVATION = 25 * Math.PI / 180, RINGS = 24, AROUND = 48;
+  const { element, takeHold, ofBrowser } = boxprobeDrawing, WALL = 4, LAST = 6, TEXELS = 256, ELEVATION = 25 * Math.PI / 180, RINGS = 24, AROUND = 48;
   const clamp = (v, low, high) => Math.min(Math.max(v, low), high);
   const levelOf = (alpha) => clamp(Math.log2(1 + 63 * clamp(alpha, 0, 1)), 0, LAST);
   /** Of the lobe that holds half of the projected area of its microfacets: a ray turns by twice the tilt, whose tangent is alpha. */
@@ -130,7 +130,7 @@
       for (const end of ['pointerup', 'pointercancel']) svg.addEventListener(end, () => { last = null; });
       svg.addEventListener('keydown', (event) => {
         const way = { ArrowUp: 0.25, ArrowDown: -0.25, ArrowLeft: 0, ArrowRight: 0 }[event.key];
-        if (way === undefined || this.revealed) return;
+        if (way === undefined || ofBrowser(event) || this.revealed) return;
         event.preventDefault();
         const turn = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0, before = clamp(Math.floor(this.state.away / FARTHEST * COLUMNS), 0, COLUMNS - 1);
         const column = clamp(before + turn, 0, COLUMNS - 1);

@@ -11,6 +11,11 @@ const boxprobeDrawing = (() => {
     return made;
   }
 
+  /** Whether the browser's own keys are meant: Alt and an arrow goes back a page. */
+  const ofBrowser = (event) => event.altKey || event.ctrlKey || event.metaKey;
+  /** Where an arrow key leads, to the right and downwards; nothing for other keys. */
+  const wayOf = (event) => (ofBrowser(event) ? undefined : { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key]);
+
   /** Makes `handle`, an element within `svg`, follow pointer, finger and arrow keys: `move(pixel)` in the drawing's own units, `here()`
       where it is, `far(event)` how far a key takes it. */
   function takeHold(svg, handle, { here, move, far }) {
@@ -34,7 +39,7 @@ const boxprobeDrawing = (() => {
     });
     for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) handle.addEventListener(end, () => { offset = null; });
     handle.addEventListener('keydown', (event) => {
-      const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+      const way = wayOf(event);
       if (!way) return;
       event.preventDefault();
       const step = far(event), from = here();
@@ -48,5 +53,5 @@ const boxprobeDrawing = (() => {
     return speed * NO_HIT > gap ? gap / speed : NO_HIT;
   }
 
-  return { element, takeHold, slabFactor };
+  return { element, takeHold, slabFactor, wayOf, ofBrowser };
 })();

@@ -9,7 +9,7 @@
 // Lengths are scene units, in the world. The mathematics is that of data/web/plan.js; tests/outside/page holds both to the compiled one.
 'use strict';
 (() => {
-  const { element, takeHold, slabFactor } = boxprobeDrawing;
+  const { element, takeHold, slabFactor, wayOf } = boxprobeDrawing, ASPECT = 1.6;
   const add = (a, b) => a.map((v, i) => v + b[i]), sub = (a, b) => a.map((v, i) => v - b[i]), scaled = (a, s) => a.map((v) => v * s);
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2], length = (a) => Math.sqrt(dot(a, a)), unit = (a) => scaled(a, 1 / length(a));
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -76,6 +76,7 @@
       const both = element('div', { class: 'figure-both' }, host);
       this.picture = element('div', { class: 'figure-picture' }, both);
       this.picture.append(canvas);
+      canvas.setAttribute('role', 'application');  // its keys are its own
       canvas.setAttribute('aria-label', 'A room with a mirror floor. Point at the floor, or move the point by the arrow keys.');
       canvas.style.touchAction = 'pan-y';
       this.over = element('svg', { class: 'figure-over', 'aria-hidden': 'true' }, this.picture);
@@ -100,7 +101,7 @@
       canvas.addEventListener('pointermove', to);
       canvas.addEventListener('pointerdown', to);
       canvas.addEventListener('keydown', (event) => {
-        const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+        const way = wayOf(event);
         if (!way) return;
         event.preventDefault();
         const far = event.shiftKey ? 0.05 : 0.01;
@@ -121,10 +122,11 @@
     run() {
       if (still()) return this.setSize(this.size < 1 ? 1 : 0);
       const from = this.size < 1 ? this.size : 0, to = 1, began = performance.now(), seconds = 4;
+      const turn = this.turn = (this.turn || 0) + 1;  // one that was stopped does not go on beside the next
       this.running = true;
       this.play.textContent = 'Stop';
       const frame = (now) => {
-        if (!this.running) return;
+        if (!this.running || turn !== this.turn) return;
         const t = clamp((now - began) / (1000 * seconds), 0, 1), eased = t * t * (3 - 2 * t);
         this.setSize(from + (to - from) * eased);
         if (t < 1) requestAnimationFrame(frame);
@@ -145,13 +147,12 @@
 
     tangents() {
       const tangent = Math.tan(this.room.camera.verticalFovDegrees * Math.PI / 360);
-      return [tangent * this.canvas.width / this.canvas.height, tangent];
+      return [ASPECT * tangent, tangent];  // before the canvas has a size, too
     }
 
     /** P where the picture shows the floor at these shares of it; false elsewhere. */
     choose(x, y) {
-      const { camera } = this.room, { right, up, back } = this.axes();
-      const shape = this.canvas.width && this.canvas.height ? this.tangents() : [1.6 * Math.tan(camera.verticalFovDegrees * Math.PI / 360), Math.tan(camera.verticalFovDegrees * Math.PI / 360)];
+      const { camera } = this.room, { right, up, back } = this.axes(), shape = this.tangents();
       const away = sub(add(scaled(right, (2 * x - 1) * shape[0]), scaled(up, (1 - 2 * y) * shape[1])), back);
       if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1) || away[1] >= 0) return false;
       const at = add(camera.position, scaled(away, (this.floor.y - camera.position[1]) / away[1]));
@@ -173,8 +174,9 @@
       this.waiting = true;
       requestAnimationFrame(() => {
         this.waiting = false;
+        if (this.room.gl.isContextLost()) return;
         const finer = Math.min(window.devicePixelRatio || 1, 2);
-        const width = Math.max(Math.round(this.canvas.clientWidth * finer), 1), height = Math.max(Math.round(width / 1.6), 1);
+        const width = Math.max(Math.round(this.canvas.clientWidth * finer), 1), height = Math.max(Math.round(width / ASPECT), 1);
         if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
         this.room.draw();
         this.overlay();
@@ -228,7 +230,7 @@
       this.output.textContent = this.size > 0 ? `${(1 / this.size).toFixed(2)} × the room` : 'infinite';
       this.host.dataset.error = n.errorDegrees;
       this.said.textContent = n.errorDegrees < 0.05 ? 'The ray from P and the arrow from C end in one place: this pixel is right.'
-        : `The cubemap is sampled ${n.errorDegrees.toFixed(1)}° beside the place that the ray from P meets.`;
+        : `The cubemap is sampled ${n.errorDegrees.toFixed(1)}° away from the place where the ray from P ends.`;
     }
 
     /** The capture into the map, drawn once by the same context. */
@@ -275,7 +277,7 @@
     return HEAT[i].map((v, c) => v + (t - i) * (HEAT[i + 1][c] - v));
   }
 
-  const COLUMNS = 128, WIDTH = 480;
+  const COLUMNS = 128, WIDTH = 480, FOUND_DEGREES = 1;
 
   class Stand {
     constructor(host, data) {
@@ -293,16 +295,19 @@
       const label = element('label', { class: 'check' }, bar);
       this.check = element('input', { type: 'checkbox', 'data-control': 'box' }, label);
       label.append(' box projection');
-      const under = element('button', { type: 'button', 'data-control': 'mirrored eye' }, bar, 'Drop C on the mirrored eye');
+      // The place to be found is not shown before it is: then its ring, its name and a button are.
+      this.show = element('button', { type: 'button', 'data-control': 'show the place' }, bar, 'Show the place');
+      this.under = element('button', { type: 'button', 'data-control': 'mirrored eye', hidden: '' }, bar, 'Drop C on the mirrored eye');
       const again = element('button', { type: 'button' }, bar, 'Start again');
       const key = element('span', { class: 'stand-key' }, bar);
       key.append('0°');
       element('span', { class: 'stand-scale', style: `background:linear-gradient(to right,${HEAT.map((c) => `rgb(${c})`).join(',')})` }, key);
-      key.append(`${HEAT_END}°`);
+      key.append(`${HEAT_END}° and more`);
       this.said = element('p', { class: 'figure-said', 'aria-live': 'polite' }, host);
       this.check.addEventListener('change', () => { this.state.box = this.check.checked; this.redraw(); });
-      under.addEventListener('click', () => { const [x, y, z] = this.state.eye; this.state.origin = [x, 2 * this.room.min[1] - y, z]; this.redraw(); });
-      again.addEventListener('click', () => { this.state = { eye: [...data.eye], origin: [...data.origin], box: false }; this.check.checked = false; this.redraw(); });
+      this.show.addEventListener('click', () => { this.found = true; this.redraw(); });
+      this.under.addEventListener('click', () => { const [x, y, z] = this.state.eye; this.state.origin = [x, 2 * this.room.min[1] - y, z]; this.redraw(); });
+      again.addEventListener('click', () => { this.state = { eye: [...data.eye], origin: [...data.origin], box: false }; this.check.checked = this.found = false; this.redraw(); });
       this.redraw();
     }
 
@@ -366,6 +371,9 @@
       canvas.getContext('2d').putImageData(image, 0, 0);
       this.mean = sum / (width * height);
       const { eye, origin, box } = this.state, mirrored = [eye[0], 2 * min[1] - eye[1], eye[2]];
+      if (!box && this.mean < FOUND_DEGREES) this.found = true;
+      this.show.hidden = !!this.found;
+      this.under.hidden = !this.found;
       for (const view of this.views) {
         view.drawn.replaceChildren();
         if (view.name === 'elevation') {
@@ -373,8 +381,8 @@
           element('line', { x1: 0, y1: this.height, x2: WIDTH, y2: this.height, class: 'floor-line' }, view.drawn);
         }
         const at = this.pixel(view.name, mirrored);
-        element('circle', { cx: at[0], cy: at[1], r: 13, class: 'mirrored' }, view.drawn);
-        if (view.name === 'elevation') element('text', { x: clamp(at[0] + 18, 4, WIDTH - 120), y: at[1] + 5, class: 'view' }, view.drawn, 'mirrored eye');
+        if (this.found) element('circle', { cx: at[0], cy: at[1], r: 13, class: 'mirrored' }, view.drawn);
+        if (this.found && view.name === 'elevation') element('text', { x: clamp(at[0] + 18, 4, WIDTH - 120), y: at[1] + 5, class: 'view' }, view.drawn, 'mirrored eye');
         // The point of the floor that sees C in the mirror is right whatever the technique.
         if (!box && origin[1] > min[1]) {
           const t = (eye[1] - min[1]) / (eye[1] + origin[1] - 2 * min[1]), p = this.pixel(view.name, [eye[0] + t * (origin[0] - eye[0]), min[1], eye[2] + t * (origin[2] - eye[2])]);
@@ -383,8 +391,10 @@
         for (const { g, key } of view.handles) g.setAttribute('transform', `translate(${this.pixel(view.name, this.state[key]).join(' ')})`);
       }
       this.host.dataset.mean = this.mean;
-      this.said.textContent = most < 0.05 ? (box ? 'Right everywhere, for every C and every eye: the box says where the walls are.' : 'Right everywhere, for this eye only: a capture at the mirrored eye is a planar reflection. Move the eye.')
-        : `Mean error ${this.mean.toFixed(1)}°. Right only in the black spot, where the eye sees C itself in the mirror.`;
+      const where = origin[1] > min[1] ? 'Right only in the black spot, where the eye sees C itself in the mirror.'
+        : this.found ? 'Right only where the line through the mirrored eye and C meets the floor.' : 'Right only in the black spot.';
+      this.said.textContent = most < 0.05 ? (box ? 'Right everywhere, for every C that sees the walls, and for every eye: the box says where the walls are.' : 'Right everywhere, for this eye only: a capture at the mirrored eye is a planar reflection. Move the eye.')
+        : `Mean error ${this.mean.toFixed(1)}°. ${where}`;
       this.host.dispatchEvent(new Event('boxprobechange'));
     }
   }

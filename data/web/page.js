@@ -153,15 +153,16 @@
     return made;
   };
 
-  /** Steps after the first question without a guess are hidden, and with them what was measured and the exercises. */
+  /** Steps after the first question without a guess are hidden, and with them what answers it: what was measured, films, exercises and
+      live figures. The cone stays: it has a guess of its own. */
   function hideAnswers(lesson) {
     const steps = [...lesson.querySelectorAll('.step')], shown = Number(lesson.dataset.shown || 0);
     const stop = steps.findIndex((step, i) => i >= shown && step.querySelector('.question:not([data-tried])'));
     steps.forEach((step, i) => { step.hidden = stop >= 0 && i > stop; });
     const hides = stop >= 0;
-    for (const part of lesson.querySelectorAll('.measured, .loop')) part.hidden = hides;
+    for (const part of lesson.querySelectorAll('.measured, .loop, .exercises, .widget:not(:has([data-figure=cone]))')) part.hidden = hides;
     let wait = lesson.querySelector('.waiting');
-    if (!hides || (stop === steps.length - 1)) {
+    if (!hides) {
       if (wait) wait.remove();
       return;
     }
@@ -177,14 +178,18 @@
       lesson.querySelector('.steps').append(wait);
     }
     const left = steps.length - 1 - stop;
-    wait.firstChild.textContent = `Make a guess, and the next picture answers it. (${left} more ${left > 1 ? 'steps' : 'step'} in this lesson.)`;
+    wait.firstChild.textContent = !left ? 'Make a guess, and what was measured appears.' : `Make a guess, and the next picture answers it. (${left} more ${left > 1 ? 'steps' : 'step'} in this lesson.)`;
   }
 
-  const score = document.querySelector('.score');
+  const score = document.querySelector('.score'), forget = make('button', 'forget', 'Forget my answers');
+  forget.type = 'button';
+  forget.hidden = true;
+  score.after(forget);
   function showScore() {
     const tried = questions.filter((q) => q.dataset.tried), right = tried.filter((q) => q.dataset.tried === 'right').length;
     const text = `${right} of ${tried.length} right at the first try, ${questions.length} in all.`;
-    if (tried.length) score.textContent = `Questions: ${text}`;
+    score.textContent = tried.length ? `Questions: ${text}` : '';
+    forget.hidden = !tried.length;
     return text;
   }
 
@@ -209,12 +214,30 @@
     }
     if (kept[question.dataset.question]) question.dataset.tried = kept[question.dataset.question] === 'right' ? 'right' : 'wrong';
   }
-  for (const lesson of document.querySelectorAll('section:has(> .steps)')) hideAnswers(lesson);
-  if (questions.some((question) => question.dataset.tried)) showScore();
+  const lessons = [...document.querySelectorAll('section:has(> .steps)')];
+  lessons.forEach(hideAnswers);
+  showScore();
+  forget.addEventListener('click', () => {
+    kept = {};
+    try { localStorage.removeItem(KEPT); } catch { /* as above */ }
+    for (const question of questions) {
+      delete question.dataset.tried;
+      question.querySelector('.verdict').textContent = '';
+      for (const answer of question.querySelectorAll('details')) answer.open = false;
+    }
+    for (const lesson of lessons) {
+      delete lesson.dataset.shown;
+      hideAnswers(lesson);
+    }
+    showScore();
+    document.querySelector('#contents a')?.focus();  // the button is gone
+  });
 
   // The address of a step shows the steps up to it: somebody gave it away on purpose.
   function goToAddress() {
-    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    let name = location.hash.slice(1);
+    try { name = decodeURIComponent(name); } catch { /* "%" alone is no code: as it is written */ }
+    const named = document.getElementById(name), target = named && (named.closest('.step') || named);  // a former lesson's is within
     const lesson = target && target.matches('.step') && target.closest('section');
     if (!lesson || !target.hidden) return;
     lesson.dataset.shown = [...lesson.querySelectorAll('.step')].indexOf(target);
@@ -230,7 +253,9 @@
     const label = make('label', 'search', 'Search '), input = document.createElement('input');
     input.type = 'search';
     label.append(input);
-    contents.before(label);
+    const none = make('p', 'search-none', '');
+    none.setAttribute('role', 'status');
+    contents.before(label, none);
     const texts = new Map([...contents.querySelectorAll('li li')].map((item) => {
       const heading = document.getElementById(item.querySelector('a').getAttribute('href').slice(1));
       return [item, heading.closest('section').textContent.toLowerCase()];
@@ -239,6 +264,7 @@
       const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
       for (const [item, text] of texts) item.hidden = !words.every((word) => text.includes(word));
       for (const chapter of contents.children) chapter.hidden = words.length > 0 && !chapter.querySelector('li:not([hidden])');
+      none.textContent = [...texts.keys()].every((item) => item.hidden) ? 'No lesson has these words.' : '';
     });
   }
 })();

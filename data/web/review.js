@@ -8,8 +8,8 @@ for (const pair of document.querySelectorAll('.pair')) {
   slider.min = 0;
   slider.max = 100;
   slider.step = 0.5;
-  const camera = pair.closest('article').querySelector('h3').textContent;
-  slider.setAttribute('aria-label', `${camera}: drawn to the left, path traced to the right`);
+  const camera = pair.closest('article').querySelector('h3').textContent, scene = pair.closest('section').querySelector('h2').textContent;
+  slider.setAttribute('aria-label', `${scene}, ${camera}: drawn to the left, path traced to the right`);
   edge.className = 'edge';
   const put = (at) => {
     slider.value = Math.min(100, Math.max(0, at));

@@ -412,6 +412,7 @@
       this.waiting = true;
       requestAnimationFrame(() => {
         this.waiting = false;
+        if (this.room.gl.isContextLost()) return;
         const finer = Math.min(window.devicePixelRatio || 1, 2), shape = this.options.shape || 1.6;
         const width = Math.max(Math.round(this.canvas.clientWidth * finer), 1), height = Math.max(Math.round(width / shape), 1);
         if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
@@ -531,6 +532,7 @@
         this.zoom(Math.exp(event.deltaY * 0.001));
       }, { passive: false });
       canvas.addEventListener('keydown', (event) => {
+        if (event.altKey || event.ctrlKey || event.metaKey) return;  // the browser's own
         const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
         if (way) this.turn(0.05 * way[0], 0.05 * way[1]);
         else if (event.key === '+' || event.key === '=') this.zoom(1 / 1.1);
@@ -567,6 +569,9 @@
       if (options.prepare) options.prepare(room);
       host.prepend(canvas);
       host.boxprobeRoom = room;
+      canvas.addEventListener('webglcontextlost', () => {
+        element('p', { class: 'room-said', role: 'alert' }, host, 'The browser has taken the graphics card away from this room: load the page again to draw it.');
+      });
       if (options.panel !== false) host.boxprobePanel = new Panel(host, room, options);
     } catch (error) {
       canvas.remove();

@@ -43,7 +43,7 @@ try "bake one" bake "$small" -o OUT.probes --probe room --quiet
 try "explain" explain "$small" --pixel 1,1 --size 32x18 --quiet
 try "stress" stress --count 1000 --quiet -o OUT.json
 try "lessons" lessons
-for kind in png jpg jpeg htm html; do try "lesson .$kind" lessons divided-by-zero -o "OUT.$kind" --quiet; done
+for kind in png jpg jpeg htm html; do try "lesson .$kind" lessons bug-bench -o "OUT.$kind" --quiet; done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >model.obj
 printf 'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n' >model.stl
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >model.ply

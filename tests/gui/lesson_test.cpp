@@ -392,6 +392,19 @@ TEST_F(LessonTest, ProgressIsKeptShownAndForgotten) {
   EXPECT_FALSE(button("forgetProgress")->isEnabled());
 }
 
+TEST_F(LessonTest, AFormerNameOpensWhereThatLessonWent) {
+  lessons().setFolder(lessonFolder());
+  window_->openLesson("in-the-cubemap");
+  ASSERT_NE(visit().lesson(), nullptr);
+  EXPECT_EQ(visit().lesson()->name, "floor-mirror");
+  EXPECT_EQ(visit().step(), 2u);
+  window_->openLesson("sphere-proxy");
+  EXPECT_EQ(visit().lesson()->name, "proxies");
+  EXPECT_EQ(visit().step(), 1u);
+  EXPECT_FALSE(lessons().mayWrite(QString::fromStdString(visit().lesson()->scene)));
+  EXPECT_FALSE(lessons().mayWrite(QString::fromStdString(visit().lesson()->steps[3].scene)));
+}
+
 TEST_F(LessonTest, AnUnknownLessonIsToldInOneLine) {
   QString line;
   QObject::connect(&lessons(), &LessonView::failed, window_, [&line](const QString& told) { line = told; });

@@ -103,6 +103,36 @@ TEST_F(LessonFile, EachMistakeIsOneLineWithItsPlace) {
   EXPECT_THAT(error(missing), HasSubstr("cellar"));
 }
 
+TEST_F(LessonFile, AStepMayStartAnew) {
+  const std::string scenes = BOXPROBE_DATA_DIR "/scenes/";
+  const auto text = [&](const std::string& other) {
+    return R"({"format": "boxprobe-lesson", "version": 1, "title": "t", "chapter": "c", "summary": "s", "scene": ")" +
+           scenes + R"(room.boxprobe.json", "set": {"exposure": 3}, "steps": [
+      {"title": "a", "say": "s", "camera": "C", "set": {"probes.room.intensity": 2}},
+      {"title": "b", "say": "s", "scene": ")" +
+           scenes + other + R"(", "formerly": "older", "set": {"exposure": 5}},
+      {"title": "c", "say": "s"}]})";
+  };
+  const Lesson read = loadLessonFile(write("1-two.lesson.json", text("building.boxprobe.json")));
+  EXPECT_EQ(lessonScene(read, 0).probes[0].intensity, 2.0);
+  EXPECT_EQ(lessonScene(read, 0).exposure, 3.0);
+  EXPECT_EQ(sceneFileOf(read, 0), scenes + "room.boxprobe.json");
+  for (const std::size_t step : {1u, 2u}) {
+    const Scene scene = lessonScene(read, step);
+    EXPECT_EQ(sceneFileOf(read, step), scenes + "building.boxprobe.json");
+    EXPECT_EQ(scene.exposure, 5.0) << "the lesson's own changes are of its own scene";
+    EXPECT_EQ(lessonCamera(read, step, scene).name, "main") << "a camera of the scene before is not kept";
+  }
+  EXPECT_EQ(formerStep(read, "older"), std::optional<std::size_t>(1));
+  EXPECT_FALSE(formerStep(read, "two").has_value());
+  EXPECT_FALSE(formerStep(read, "").has_value());
+  EXPECT_EQ(lessonScene(loadLessonFile(write("2-same.lesson.json", text("room.boxprobe.json"))), 2).probes[0].intensity,
+            1.0)
+      << "the same scene file, too, is read anew";
+  EXPECT_EQ(findLesson(loadLessons(folder_.string()), "older").name, "two");
+  EXPECT_THAT(error(text("cellar.boxprobe.json")), AllOf(HasSubstr("steps[1].scene"), HasSubstr("cellar")));
+}
+
 TEST_F(LessonFile, MapsAreReadWhole) {
   const Lesson levels = loadLessonFile(write(
       "1-levels.lesson.json", lesson("\"map\": {\"levels\": [0, 3], \"face\": \"-y\"}, \"published\": \"fixup\"")));

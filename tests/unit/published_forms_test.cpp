@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "filters/math/published/published_math.h"
 
@@ -22,6 +23,47 @@ TEST(PublishedForms, DistributionAndMaskingAreThoseOfWalter2007) {
       EXPECT_NEAR(shading::publishedMasking(x, a) / masking, 1.0, 1e-5) << alpha << " " << degrees;
     }
   }
+}
+
+// Share of the light that a white metal gives back in one reflection, seen at `cosine`: D of Walter et al. 2007
+// (equation 33) over half vectors, by their own density, under a masking term of the view's and the light's cosine.
+template <class Masking>
+double sharesOneReflection(double cosine, double alpha, const Masking& masking) {
+  constexpr int kSteps = 600;
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    // As many half vectors far from the normal as near it: 1 - u = (1 - s)^2.
+    const double s = (i + 0.5) / kSteps, tangent = alpha * std::sqrt(s * (2.0 - s)) / (1.0 - s);
+    const double z = 1.0 / std::sqrt(1.0 + tangent * tangent);
+    for (int j = 0; j < kSteps; ++j) {
+      const double x = z * tangent * std::cos(kPi * (j + 0.5) / kSteps), hDotV = x * sine + z * cosine;
+      const double light = 2.0 * hDotV * z - cosine;
+      if (hDotV > 0.0 && light > 0.0) sum += 2.0 * (1.0 - s) * masking(cosine, light) * hDotV / (cosine * z);
+    }
+  }
+  return sum / (static_cast<double>(kSteps) * kSteps);
+}
+
+// The three shares that the lesson lobe names. The fit is to blame, not that it takes view and light apart.
+TEST(PublishedForms, TheFitSwallowsLightThatSmithsTermLeaves) {
+  constexpr double kAlpha = 0.25, kCosine = 0.5;
+  const auto fit = [](double c) { return c / (c * (1.0 - 0.5 * kAlpha) + 0.5 * kAlpha); };  // Karis 2013
+  const auto lambda = [](double c) {                                                        // Heitz 2014, equation 72
+    return 0.5 * (std::sqrt(1.0 + kAlpha * kAlpha * (1.0 / (c * c) - 1.0)) - 1.0);
+  };
+  const double fitted = sharesOneReflection(kCosine, kAlpha, [&](double v, double l) { return fit(v) * fit(l); });
+  const double apart = sharesOneReflection(
+      kCosine, kAlpha, [&](double v, double l) { return 1.0 / ((1.0 + lambda(v)) * (1.0 + lambda(l))); });
+  const double together =
+      sharesOneReflection(kCosine, kAlpha, [&](double v, double l) { return 1.0 / (1.0 + lambda(v) + lambda(l)); });
+  std::printf("  of the light: %.4f by the fit, %.4f by Smith's term apart, %.4f together\n", fitted, apart, together);
+  EXPECT_NEAR(fitted, 0.747, 5e-4);
+  EXPECT_NEAR(apart, 0.855, 5e-4);
+  EXPECT_NEAR(together, 0.857, 5e-4);
+  const glm::vec2 printed =
+      shading::publishedSplitSum(static_cast<float>(kCosine), static_cast<float>(std::sqrt(kAlpha)));
+  EXPECT_NEAR(printed.x + printed.y, fitted, 0.004) << "the form that the lesson draws";
 }
 
 // GGX's projected area is 1: the integral of D cos over the hemisphere.

@@ -63,9 +63,10 @@ std::string pictureId(const Lesson& lesson, std::size_t step) {
   return stepId(lesson, step) + "-picture";
 }
 
-/// "12" of "12. Few rays"; the whole of a chapter without a number.
-std::string chapterLabel(const std::string& chapter) {
-  return chapter.substr(0, chapter.find('.'));
+/// "A" of "A. Looks", an appendix, whose lessons are A.1, A.2 and so on; empty for other chapters.
+std::string appendixLetter(const std::string& chapter) {
+  return chapter.size() > 1 && chapter[1] == '.' && chapter[0] >= 'A' && chapter[0] <= 'Z' ? chapter.substr(0, 1)
+                                                                                           : std::string();
 }
 
 /// A guess for whoever plans a class: a minute a step, another for its question, more for what is done.
@@ -91,7 +92,10 @@ std::string formulaHtml(const std::string& formula) {
 /// `measured`: the page measures the task in a plan or a room.
 std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictures& pictures, bool measured) {
   const LessonStep& step = lesson.steps[number];
-  std::string text = "<div class=\"step\" id=\"" + stepId(lesson, number) + "\"><figure";
+  std::string text = "<div class=\"step\" id=\"" + stepId(lesson, number) + "\">";
+  // The address of a lesson that was merged into this one.
+  if (!step.formerly.empty()) text += "<span id=\"" + html(step.formerly) + "\"></span>";
+  text += "<figure";
   if (pictures.sameView[number]) text += " data-before=\"" + pictureId(lesson, number - 1) + "\"";
   text += "><div class=\"picture\"><img id=\"" + pictureId(lesson, number) + "\" alt=\"" +
           html(lesson.title + ": " + step.title) + "\" src=\"" + embedded(pictures.steps[number]) +
@@ -150,12 +154,10 @@ std::string notationHtml(const std::vector<LessonSymbol>& notation) {
 }
 
 /// Beside what it is done in: the plan or the room. Measured by data/web/task.js.
-std::string taskHtml(const Lesson& lesson, const std::string& task) {
-  const auto step =
-      std::find_if(lesson.steps.begin(), lesson.steps.end(), [](const LessonStep& s) { return s.task.has_value(); });
-  if (task.empty() || step == lesson.steps.end()) return {};
-  return "<div class=\"task\" data-task=\"" + html(task) + "\"><p class=\"try\"><b>Task.</b> " + html(step->task->ask) +
-         "</p></div>\n";
+std::string taskHtml(const Lesson& lesson, const LessonPictures& pictures) {
+  if (pictures.task.empty()) return {};
+  return "<div class=\"task\" data-task=\"" + html(pictures.task) + "\"><p class=\"try\"><b>Task.</b> " +
+         html(lesson.steps[pictures.taskStep].task->ask) + "</p></div>\n";
 }
 
 std::string planHtml(const Explanation& plan, const std::string& task) {
@@ -178,10 +180,12 @@ std::string roomHtml(const std::string& view, std::size_t scene, const std::stri
 
 /// `attributes`: what it begins with.
 std::string figureHtml(const std::string& figure, const std::string& attributes) {
-  return "<div class=\"figure-live\" data-figure=\"" + figure + "\" " + attributes +
-         "><p class=\"figure-still\">This figure needs scripts, and WebGL2 for a room. Without them, the pictures "
-         "below "
-         "show the same.</p></div>\n";
+  const char* const still =
+      figure == "infinity"
+          ? "This figure needs scripts and WebGL2; pictures of its two ends stand in the lesson on errors."
+          : "This figure needs scripts.";
+  return "<div class=\"figure-live\" data-figure=\"" + figure + "\" " + attributes + "><p class=\"figure-still\">" +
+         still + "</p></div>\n";
 }
 
 /// What opens the page.
@@ -254,24 +258,26 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
   const auto& rooms = widgets.rooms;
   const bool hasRoom = scene != scenes_.end() && std::find(rooms.begin(), rooms.end(), lesson.name) != rooms.end();
   const auto place = static_cast<std::size_t>(scene - scenes_.begin());
+  std::string after;
   for (const auto& [figure, of] : widgets.figures) {
     if (of != lesson.name) continue;
     if (figure == "cone") {
       text += coneHtml();
     } else if (hasRoom) {
-      const std::string live = figureHtml(
-          figure, "data-scene=\"scene-" + std::to_string(place) + "\" data-view=\"" + html(pictures.view) + "\"");
+      const std::string& view = figure == "infinity" ? pictures.firstView : pictures.view;
+      const std::string live =
+          figureHtml(figure, "data-scene=\"scene-" + std::to_string(place) + "\" data-view=\"" + html(view) + "\"");
       if (figure == "infinity") opening_ = infinityHtml(live);
-      if (figure == "stand") text += standHtml(live);
+      if (figure == "stand") after += standHtml(live);  // it answers the steps' questions
     }
   }
   text += "<div class=\"steps\">\n";
-  const std::string task = hasRoom || pictures.plan ? taskHtml(lesson, pictures.task) : std::string();
+  const std::string task = hasRoom || pictures.plan ? taskHtml(lesson, pictures) : std::string();
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    text += stepHtml(lesson, i, pictures, !task.empty());
+    text += stepHtml(lesson, i, pictures, !task.empty() && i == pictures.taskStep);
     if (lesson.steps[i].question) answers_ += answerHtml(lesson, lesson.steps[i]);
   }
-  text += "</div>\n" + loops_;
+  text += "</div>\n" + after + loops_;
   loops_.clear();
   if (pictures.plan) text += planHtml(*pictures.plan, hasRoom ? std::string() : task);
   if (hasRoom) text += roomHtml(pictures.view, place, task);
@@ -290,7 +296,21 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
   sections_.push_back(std::move(section));
 }
 
+std::vector<std::string> LessonPage::numbers() const {
+  std::vector<std::string> result;
+  std::string chapter;
+  int lessons = 0, appended = 0;
+  for (const Section& section : sections_) {
+    const std::string letter = html(appendixLetter(section.chapter));
+    if (section.chapter != chapter) appended = 0;
+    chapter = section.chapter;
+    result.push_back(letter.empty() ? std::to_string(++lessons) : letter + "." + std::to_string(++appended));
+  }
+  return result;
+}
+
 std::string LessonPage::contents() const {
+  const std::vector<std::string> numbered = numbers();
   std::string text, chapter;
   int chapters = 0;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
@@ -302,24 +322,23 @@ std::string LessonPage::contents() const {
       text += (i > 0 ? "</ul></li>\n" : "") + std::string("<li><a href=\"#chapter-") + std::to_string(++chapters) +
               "\">" + html(chapter) + "</a> <span class=\"minutes\">" + std::to_string(minutes) + " min</span><ul>\n";
     }
-    text += "<li><a href=\"#" + html(section.name) + "\">" + html(section.title) + "</a></li>\n";
+    text +=
+        "<li>" + numbered[i] + "&ensp;<a href=\"#" + html(section.name) + "\">" + html(section.title) + "</a></li>\n";
   }
   return text + (sections_.empty() ? "" : "</ul></li>\n");
 }
 
 std::string LessonPage::body() const {
   std::string text, chapter;
-  int number = 0, chapters = 0;
+  const std::vector<std::string> numbered = numbers();
+  int chapters = 0;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     const Section& section = sections_[i];
-    const std::string label = html(chapterLabel(section.chapter));
     if (i == 0 || section.chapter != chapter) {
       chapter = section.chapter;
-      number = 0;
       text += "<h2 id=\"chapter-" + std::to_string(++chapters) + "\">" + html(chapter) + "</h2>\n";
     }
-    const bool numbered = label != html(section.chapter);
-    const std::string before = numbered ? label + "." + std::to_string(++number) + "&ensp;" : std::string();
+    const std::string before = sections_.size() > 1 ? numbered[i] + "&ensp;" : std::string();
     const std::string mark = "@NUMBER@";
     std::string whole = section.html;
     const std::size_t at = whole.find(mark);
@@ -349,7 +368,7 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
       opening_ +
       "<p>Boxprobe drew every picture from the lesson's scene and measured every number on it when it made this page. "
       "In its window you can change each step yourself: <code>boxprobe lessons NAME</code>.</p>\n"
-      "<nav id=\"contents\" aria-label=\"Contents\"><p class=\"score\" aria-live=\"polite\"></p><ul "
+      "<nav id=\"contents\" aria-label=\"Contents\"><p class=\"score\"></p><ul "
       "class=\"chapters\">\n" +
       contents() + (notation.empty() ? "" : "<li><a href=\"#notation\">Notation</a></li>\n") +
       (sources.empty() ? "" : "<li><a href=\"#sources\">Sources</a></li>\n") + "</ul></nav>\n" + body() +

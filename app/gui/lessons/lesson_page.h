@@ -28,6 +28,7 @@ class LessonPage {
     std::string name, title, chapter, html;
     int minutes = 0;
   };
+  std::vector<std::string> numbers() const;  ///< of each section: "7", or "A.1" in an appendix
   std::string contents() const;
   std::string body() const;
 

@@ -14,6 +14,7 @@
 #include "app/lessons/plan_figure.h"
 #include "app/web/web_view.h"
 #include "filters/core/base/errors.h"
+#include "filters/io/scene/lesson_file.h"
 #include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
 namespace boxprobe {
@@ -91,12 +92,17 @@ LessonPictures LessonPhotographer::take(const Lesson& lesson, const std::optiona
     player_.show(i);
     const LessonStep& step = lesson.steps[i];
     const bool afterDrawn = i > 0 && lesson.steps[i - 1].drawn();
-    pictures.sameView.push_back(i > 0 && !step.drawn() && !afterDrawn && before == player_.camera());
+    pictures.sameView.push_back(i > 0 && !step.drawn() && !afterDrawn && step.scene.empty() &&
+                                before == player_.camera());
     pictures.steps.push_back(pictureOf(lesson, i));
-    if (i == 0) pictures.view = webView(player_.scene(), player_.camera());
-    if (step.task && pictures.task.empty()) {
+    if (i == 0) pictures.firstView = pictures.view = webView(player_.scene(), player_.camera());
+    // The room is of the lesson's own scene file.
+    if (step.task && pictures.task.empty() && sceneFileOf(lesson, i) == lesson.scene) {
       pictures.task = player_.taskForPage(i);
-      if (!pictures.task.empty()) pictures.view = webView(player_.scene(), player_.camera());
+      if (!pictures.task.empty()) {
+        pictures.view = webView(player_.scene(), player_.camera());
+        pictures.taskStep = i;
+      }
     }
     if (!plan || pictures.plan) continue;
     const int x = std::min(static_cast<int>((*plan)[0] * width_), width_ - 1);

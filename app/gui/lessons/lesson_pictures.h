@@ -23,7 +23,9 @@ struct LessonPictures {
   /// Of each step: is its picture taken from where the one before was? Two such pictures lie over each other.
   std::vector<bool> sameView;
   std::optional<Explanation> plan;  ///< of the pixel that was asked for, in the first step where a box is hit there
-  std::string view;  ///< of the first step, or of that with the task, for a room to walk in (app/web/web_view.h)
+  std::string view;       ///< of the first step, or of that with the task, for a room to walk in (app/web/web_view.h)
+  std::string firstView;  ///< of the first step
+  std::size_t taskStep = 0;  ///< of `task`
   std::string task;  ///< of the first task that a browser can measure (app/lessons/room_task.h); empty: there is none
   struct Claim {
     std::string say;

@@ -194,10 +194,11 @@ void LessonView::open(const QString& name, std::optional<std::size_t> step) {
   guarded([&] {
     const std::string id = name.toStdString();
     const Lesson& lesson = findLesson(list_, id);
-    const LessonProgress progress = lessonProgress(name);
+    const LessonProgress progress = lessonProgress(QString::fromStdString(lesson.name));
     const std::size_t leftOff =
         progress.done || progress.furthest < 0 ? 0 : static_cast<std::size_t>(progress.furthest);
-    visit_.open(lesson, std::min(step.value_or(leftOff), lesson.steps.size() - 1));
+    const std::size_t there = lesson.name == id ? leftOff : formerStep(lesson, id).value_or(0);
+    visit_.open(lesson, std::min(step.value_or(there), lesson.steps.size() - 1));
     emit shown();
   });
 }
@@ -287,8 +288,13 @@ QString LessonView::sceneName() const {
 
 bool LessonView::mayWrite(const QString& path) const {
   if (!visit_.lesson()) return true;
-  const QFileInfo lessons(QString::fromStdString(visit_.lesson()->scene));
-  return QFileInfo(path).canonicalFilePath() != lessons.canonicalFilePath() || lessons.canonicalFilePath().isEmpty();
+  const QString wanted = QFileInfo(path).canonicalFilePath();
+  const auto isIt = [&](const std::string& scene) {
+    return !wanted.isEmpty() && QFileInfo(QString::fromStdString(scene)).canonicalFilePath() == wanted;
+  };
+  const Lesson& lesson = *visit_.lesson();
+  return !isIt(lesson.scene) && std::none_of(lesson.steps.begin(), lesson.steps.end(),
+                                             [&](const LessonStep& step) { return isIt(step.scene); });
 }
 
 void LessonView::documentChanged() {

@@ -45,7 +45,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPictureWidth = 560, kPictureHeight = 350;
-constexpr int kJpegQuality = 78;  // the sheets in data/pictures are to stay below 8 MB
+constexpr int kJpegQuality = 62;  // the sheets in data/pictures are to stay below 8 MB
 
 struct LessonsOptions {
   std::string name;

@@ -125,7 +125,10 @@ struct LessonExercise {
 struct LessonStep {
   std::string title;
   std::string say;
-  std::string formula;                   ///< see formula_mathml.h; empty: none
+  std::string formula;   ///< see formula_mathml.h; empty: none
+  std::string formerly;  ///< the lesson that began with this step before it was merged; empty: none
+  /// Path of the scene file from which this step starts anew, without the changes before it; empty: it goes on.
+  std::string scene;
   std::vector<std::string> assignments;  ///< --set of the command line, on top of the steps before
   std::optional<Camera> camera;          ///< empty: as in the step before
   std::string cameraName;                ///< or a camera of the scene; empty: as in the step before

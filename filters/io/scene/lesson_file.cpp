@@ -52,7 +52,9 @@ void requireSteps(const Lesson& lesson) {
     const KeyPath step = {"steps", "[" + std::to_string(i) + "]"};
     KeyPath at = step;
     try {
-      at.emplace_back("set");
+      at.emplace_back("scene");
+      if (!lesson.steps[i].scene.empty()) loadSceneFile(lesson.steps[i].scene);
+      at.back() = "set";
       Scene scene = lessonScene(lesson, i);
       at.back() = "camera";
       lessonCamera(lesson, i, scene);
@@ -163,16 +165,43 @@ const Lesson& findLesson(const LessonList& list, std::string_view name) {
     if (lesson.name == name) return lesson;
     names.push_back(lesson.name);
   }
+  for (const Lesson& lesson : list.lessons) {
+    if (formerStep(lesson, name)) return lesson;
+  }
   const std::string wanted(name);
   const std::string guess = didYouMean(wanted, names);
   throw InputError("lesson " + wanted + ": there is no such lesson" +
                    (guess.empty() ? "; `boxprobe lessons` lists them" : guess));
 }
 
+std::optional<std::size_t> formerStep(const Lesson& lesson, std::string_view name) {
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    if (!name.empty() && lesson.steps[i].formerly == name) return i;
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+/// The last step up to `step` that starts anew; 0 if none does.
+std::size_t startOf(const Lesson& lesson, std::size_t step) {
+  while (step > 0 && lesson.steps[step].scene.empty()) --step;
+  return step;
+}
+
+}  // namespace
+
+const std::string& sceneFileOf(const Lesson& lesson, std::size_t step) {
+  const std::string& own = lesson.steps[startOf(lesson, step)].scene;
+  return own.empty() ? lesson.scene : own;
+}
+
 Scene lessonScene(const Lesson& lesson, std::size_t step) {
-  Scene scene = loadSceneFile(lesson.scene);
-  std::vector<std::string> assignments = lesson.assignments;
-  for (std::size_t i = 0; i <= step; ++i) {
+  Scene scene = loadSceneFile(sceneFileOf(lesson, step));
+  const std::size_t start = startOf(lesson, step);
+  std::vector<std::string> assignments;
+  if (lesson.steps[start].scene.empty()) assignments = lesson.assignments;
+  for (std::size_t i = start; i <= step; ++i) {
     const auto& own = lesson.steps[i].assignments;
     assignments.insert(assignments.end(), own.begin(), own.end());
   }
@@ -181,7 +210,8 @@ Scene lessonScene(const Lesson& lesson, std::size_t step) {
 }
 
 Camera lessonCamera(const Lesson& lesson, std::size_t step, const Scene& scene) {
-  for (std::size_t i = step + 1; i-- > 0;) {
+  const std::size_t start = startOf(lesson, step);
+  for (std::size_t i = step + 1; i-- > start;) {
     const LessonStep& candidate = lesson.steps[i];
     if (candidate.camera) return *candidate.camera;
     if (candidate.cameraName.empty()) continue;

@@ -2,6 +2,7 @@
 // data/lessons/README.md).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,13 +33,18 @@ LessonList loadLessons(const std::string& folder, const std::string& language = 
 /// The languages in which a folder has texts, sorted; always includes English.
 std::vector<std::string> lessonLanguages(const std::string& folder);
 
-/// The lesson of that name. Throws InputError with the nearest name.
+/// The lesson of that name, or the one into which a lesson of that name was merged. Throws InputError with the nearest
+/// name.
 const Lesson& findLesson(const LessonList& list, std::string_view name);
+/// Index of the step with which the former lesson of that name begins; nothing if it was not merged into this one.
+std::optional<std::size_t> formerStep(const Lesson& lesson, std::string_view name);
 
-/// The scene of a step: the lesson's scene with the changes of all steps up to this one. Throws InputError.
+/// Path of the scene file that a step starts from: the lesson's, or that of the last step that starts anew.
+const std::string& sceneFileOf(const Lesson& lesson, std::size_t step);
+/// The scene of a step: its scene file with the changes of all steps since it was opened. Throws InputError.
 Scene lessonScene(const Lesson& lesson, std::size_t step);
-/// The camera of a step: its own, else that of the last step before it that has one, else the scene's `main`, else its
-/// first.
+/// The camera of a step: its own, else that of the last step before it that has one and shows the same scene file, else
+/// the scene's `main`, else its first.
 Camera lessonCamera(const Lesson& lesson, std::size_t step, const Scene& scene);
 
 }  // namespace boxprobe

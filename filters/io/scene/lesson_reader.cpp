@@ -296,9 +296,13 @@ Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
   }
 }
 
+std::string scenePath(const std::string& folder, const std::string& relative) {
+  return (std::filesystem::path(folder) / relative).lexically_normal().string();
+}
+
 LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std::string& folder) {
-  entry.requireObject({"id", "title", "say", "formula", "set", "camera", "view", "published", "reflections", "boxes",
-                       "rays", "mayMove", "question", "task", "curve", "map", "inset"});
+  entry.requireObject({"id", "title", "say", "formula", "formerly", "scene", "set", "camera", "view", "published",
+                       "reflections", "boxes", "rays", "mayMove", "question", "task", "curve", "map", "inset"});
   checkId(entry);
   LessonStep step;
   step.title = required(entry, "title");
@@ -312,6 +316,8 @@ LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std:
     const std::string guess = didYouMean(step.view, ids);
     entry.find("view")->fail("is no view" + (guess.empty() ? "; there are " + nameList(ids, ids.size()) : guess));
   }
+  step.formerly = optional(entry, "formerly");
+  if (entry.find("scene")) step.scene = scenePath(folder, required(entry, "scene"));
   if (const auto set = entry.find("set")) step.assignments = readAssignments(*set, folder);
   if (const auto camera = entry.find("camera")) {
     if (camera->json().is_string())
@@ -364,7 +370,7 @@ Lesson lessonFromJson(const Json& json, const std::string& folder) {
   lesson.title = required(root, "title");
   lesson.chapter = required(root, "chapter");
   lesson.summary = required(root, "summary");
-  lesson.scene = (std::filesystem::path(folder) / required(root, "scene")).lexically_normal().string();
+  lesson.scene = scenePath(folder, required(root, "scene"));
   if (const auto set = root.find("set")) lesson.assignments = readAssignments(*set, folder);
   const JsonCursor steps = requiredValue(root, "steps");
   steps.requireArray();

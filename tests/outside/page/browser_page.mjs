@@ -117,7 +117,15 @@ export class BrowserPage {
   async close() {
     this.process.kill('SIGKILL');
     await new Promise((resolve) => this.process.on('exit', resolve));
-    rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+    // Its children end a little later, and write until then.
+    for (let tries = 0; ; ++tries) {
+      try {
+        return rmSync(this.profile, { recursive: true, force: true });
+      } catch (error) {
+        if (tries > 50) throw error;
+        await new Promise((resolve) => setTimeout(resolve, 100));
+      }
+    }
   }
 }
 

@@ -45,6 +45,15 @@ const drawnAgain = async (act) => {
   await page.until(`!${figure}.waiting`, 20);
 };
 await page.screenshot(path.join(out, 'infinity-0.png'));
+/** How far from where P was chosen it is seen, in shares of the picture, by the camera's own axes. */
+function placeOff(s) {
+  const back = s.camera.position.map((x, i) => x - s.camera.target[i]).map((x, _, all) => x / Math.hypot(...all)), right = [back[2], 0, -back[0]].map((x) => x / Math.hypot(back[2], back[0]));
+  const up = [back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2], back[0] * right[1] - back[1] * right[0]];
+  const from = s.position.map((x, i) => x - s.camera.position[i]), dot = (a) => a.reduce((sum, x, i) => sum + x * from[i], 0), tangent = Math.tan(s.camera.fov * Math.PI / 360);
+  return Math.max(Math.abs(0.5 + 0.5 * dot(right) / -dot(back) / tangent / 1.6 - s.share[0]), Math.abs(0.5 - 0.5 * dot(up) / -dot(back) / tangent - s.share[1]));
+}
+const chosen = () => page.evaluate(`(() => { const n = ${figure}.numbers(), c = ${figure}.room.camera; return { ...n, share: ${figure}.share, camera: { position: c.position, target: c.target, fov: c.verticalFovDegrees } }; })()`);
+check(placeOff(await chosen()) < 2e-3, 'the first P lies where it was put');
 
 // The slider's knob, dragged.
 const knob = () => page.evaluate(`(() => { const r = ${figure}.slider.getBoundingClientRect(), k = 16; return { y: r.y + r.height / 2, at: [0, 0.3, 0.5, 1].map((v) => r.x + k / 2 + (r.width - k) * v), now: r.x + k / 2 + (r.width - k) * ${figure}.slider.value / 1000 }; })()`);
@@ -70,7 +79,7 @@ for (let n = 0; n < Number(points); n++) {
   const at = await page.evaluate(`(() => { const r = ${figure}.canvas.getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()`);
   const share = [0.02 + 0.96 * random(), 0.55 + 0.42 * random()];
   await page.mouse('mouseMoved', at[0] + share[0] * at[2], at[1] + share[1] * at[3]);
-  const s = await page.evaluate(`(() => { const n = ${figure}.numbers(), c = ${figure}.room.camera; return { ...n, share: ${figure}.share, camera: { position: c.position, target: c.target, fov: c.verticalFovDegrees } }; })()`);
+  const s = await chosen();
   const text = s.position.join();
   if (text !== last) moved++;
   last = text;
@@ -84,11 +93,7 @@ let worst = 0, worstPlace = 0, worstError = 0;
 answers.forEach((v, n) => {
   const s = shown[n], size = Math.hypot(...s.box.max.map((x, i) => x - s.box.min[i]));
   worst = Math.max(worst, Math.abs(v[3] - s.distance) / size, ...[0, 1, 2].flatMap((i) => [Math.abs(v[6 + i] - s.reflection[i]), Math.abs(v[9 + i] - s.lookup[i]) / size]));
-  // The pixel that P is seen in, by the camera's own axes.
-  const back = s.camera.position.map((x, i) => x - s.camera.target[i]).map((x, _, all) => x / Math.hypot(...all)), right = [back[2], 0, -back[0]].map((x) => x / Math.hypot(back[2], back[0]));
-  const up = [back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2], back[0] * right[1] - back[1] * right[0]];
-  const from = s.position.map((x, i) => x - s.camera.position[i]), dot = (a) => a.reduce((sum, x, i) => sum + x * from[i], 0), tangent = Math.tan(s.camera.fov * Math.PI / 360);
-  worstPlace = Math.max(worstPlace, Math.abs(0.5 + 0.5 * dot(right) / -dot(back) / tangent / 1.6 - s.share[0]), Math.abs(0.5 - 0.5 * dot(up) / -dot(back) / tangent - s.share[1]));
+  worstPlace = Math.max(worstPlace, placeOff(s));
   const seen = seenInFloor(s.eye, s.position, s.room);
   worstError = Math.max(worstError, Math.abs(degrees(s.lookup, seen.map((x, i) => x - s.origin[i])) - s.errorDegrees));
 });
@@ -133,18 +138,36 @@ await page.touch('touchStart', canvas[0] + 0.3 * canvas[2], canvas[1] + 0.8 * ca
 await page.touch('touchEnd');
 await page.send('Emulation.setTouchEmulationEnabled', { enabled: false });
 check(Math.abs((await place())[0] - 0.3) < 0.01, 'a finger moves P');
+const held = (await place())[1];
+await page.evaluate(`${figure}.canvas.focus()`);
+for (const modifier of [1, 2, 4]) await page.key('ArrowDown', modifier);
+check(Math.abs((await place())[1] - held) < 1e-6, 'with Alt, Ctrl or Meta it is left to the browser');
 await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
 await page.evaluate(`${figure}.setSize(0)`);
 await page.click(...await page.middle('[data-figure=infinity] .figure-bar button'));
 check(await page.evaluate(`${figure}.size`) === 1, 'with reduced motion Play goes to its end at once');
 await page.send('Emulation.setEmulatedMedia', { features: [] });
+// Steps of the slider's way in ten frames, after Stop and Play within one.
+const moves = await page.evaluate(`(async () => {
+  const f = ${figure}, set = f.setSize.bind(f);
+  let count = 0;
+  set(0);
+  f.setSize = (size) => { count++; set(size); };
+  f.run(); f.stop(); f.run();
+  for (let i = 0; i < 10; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+  f.stop();
+  delete f.setSize;
+  return count;
+})()`);
+check(moves >= 9 && moves <= 11, `stopped and played again it moves once a frame: ${moves} times in 10`);
 
 // Steps wait for a guess, and the verdict stands in the question.
 const steps = () => page.evaluate(`[...document.querySelectorAll('.step')].map((step) => getComputedStyle(step).display !== 'none')`);
-check((await steps()).join() === 'true,false', 'the step that answers is hidden');
-check(await page.evaluate(`document.querySelector('.measured').hidden`), 'and what was measured with it');
+check((await steps()).join() === 'true,false,false,false,false,false', 'the step that answers is hidden, and all after it');
+const answering = () => page.evaluate(`['.measured', '.exercises', '.widget:has(.plan)', '.widget:has(.room-view)'].map((part) => document.querySelector(part).hidden).join()`);
+check(await answering() === 'true,true,true,true', 'and what was measured, the exercises, the plan and the room with it');
 await page.click(...await page.middle('.question details.wrong summary'));
-check((await steps()).join() === 'true,true', 'after a guess it stands there');
+check((await steps()).join() === 'true,true,true,false,false,false' && await answering() === 'true,true,true,true', 'after a guess the steps up to the next question stand there');
 const verdict = await page.evaluate(`document.querySelector('.question .verdict').textContent`);
 check(/Not that one.*0 of 1 right/.test(verdict), `the verdict stands in the question: ${verdict}`);
 await page.click(...await page.middle('.question details.right summary'));
@@ -153,7 +176,9 @@ const reload = page.event('Page.loadEventFired');
 await page.send('Page.reload');
 await reload;
 await page.until('document.querySelectorAll(".question .verdict").length > 0');
-check((await steps()).join() === 'true,true', 'the guess is kept');
+check((await steps()).join() === 'true,true,true,false,false,false', 'the guess is kept');
+await page.click(...await page.middle('.step:nth-of-type(3) .question details.right summary'));
+check((await steps()).join() === 'true,true,true,true,true,true' && await answering() === 'false,false,false,false', 'after the last guess everything stands there');
 await page.middle('[data-figure=infinity]');  // a figure begins when it is seen
 await page.until('Number(document.querySelector("[data-figure=infinity]").dataset.drawn) > 1');
 check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
@@ -162,14 +187,32 @@ check(await page.evaluate('document.documentElement.scrollWidth') <= 360, 'a tel
 await page.middle('[data-figure=infinity] .figure-both');
 await page.until(`!${figure}.waiting`, 20);
 await page.screenshot(path.join(out, 'infinity-phone.png'));
+await page.evaluate(`${figure}.room.gl.getExtension('WEBGL_lose_context').loseContext()`);
+await page.until(`/load the page again/.test(${host}.querySelector('.room-said')?.textContent)`, 20);
+const drawnBefore = await page.evaluate(`${host}.dataset.drawn`);
+await drawnAgain(() => page.evaluate(`${figure}.redraw()`));
+check(await page.evaluate(`${host}.dataset.drawn`) === drawnBefore && page.messages.length === 0, 'a graphics card that is taken away is said, and nothing is drawn by it');
 await page.close();
 const addressed = await BrowserPage.open(made('floor-mirror') + '#floor-mirror-2');
 check(await addressed.evaluate(`!document.getElementById('floor-mirror-2').hidden`), "a step's own address shows it");
 await addressed.close();
+const former = await BrowserPage.open(made('floor-mirror') + '#in-the-cubemap');
+check(await former.evaluate(`!document.getElementById('floor-mirror-3').hidden && document.getElementById('floor-mirror-4').hidden && Math.abs(document.getElementById('floor-mirror-3').getBoundingClientRect().top) < innerHeight`), 'the name of a lesson that was merged into this one shows where it begins');
+await former.close();
+const odd = await BrowserPage.open(made('floor-mirror') + '#%');
+check(await odd.evaluate(`document.querySelectorAll('.waiting').length`) === 1 && odd.messages.length === 0, 'an address that is no code does no harm');
+await odd.close();
+
+const lastStep = await BrowserPage.open(made('bounces'));
+await lastStep.click(...await lastStep.middle('.question details.wrong summary'));
+check(/^Make a guess, and what was measured appears\.Show/.test(await lastStep.evaluate(`document.querySelector('.waiting').textContent`)), 'a question in the last step says what it hides');
+await lastStep.close();
 
 // B: where must you stand?
-const stand = await BrowserPage.open(made('in-the-cubemap'), { width: 1280, height: 900 });
+const stand = await BrowserPage.open(made('floor-mirror'), { width: 1280, height: 900 });
 const stood = 'document.querySelector("[data-figure=stand]")';
+check(await stand.evaluate(`${stood}.getBoundingClientRect().height`) === 0, 'it waits for a guess');
+await stand.click(...await stand.middle('.waiting button'));
 await stand.middle('[data-figure=stand]');
 await stand.until(`!!${stood}.boxprobeStand && !!${stood}.dataset.mean`);
 const state = () => stand.evaluate(`({ ...${stood}.boxprobeStand.state, room: ${stood}.boxprobeStand.room, mean: Number(${stood}.dataset.mean), columns: ${stood}.querySelector('canvas').width, rows: ${stood}.querySelector('canvas').height })`);
@@ -194,6 +237,26 @@ function meanOf({ eye, origin, room, columns, rows }) {
   }
   return sum / (columns * rows);
 }
+// The place to be found is not given away: neither by its button nor by its ring, until C is brought there or it is asked for.
+const given = () => stand.evaluate(`!document.querySelector('[data-control="mirrored eye"]').hidden || !!${stood}.querySelector('.mirrored') || ${stood}.innerText.includes('mirrored')`);
+const pressed = (control) => settled(async () => stand.click(...await stand.middle(control)));
+check(!(await given()), 'the place is not shown');
+check((await pressed('[data-control=box]')).mean < 1e-4 && !(await given()), 'nor is it by the box');
+await pressed('[data-control=box]');
+await stand.middle('[data-figure=stand] .stand-both');
+let [from, to] = [await grip('plan origin'), await grip('plan eye')];
+await settled(() => stand.drag(from, to));
+check(!(await given()), 'nor with C at the eye');
+// Down in the elevation to as far below the floor's line as the eye is above it.
+[from, to] = [await grip('elevation origin'), await grip('elevation eye')];
+const floorLine = await stand.evaluate(`(() => { const r = ${stood}.querySelector('.floor-line').getBoundingClientRect(); return r.y + r.height / 2; })()`);
+const brought = await settled(() => stand.drag(from, [to[0], 2 * floorLine - to[1]]));
+check(brought.mean < 1 && await given(), `C brought there by hand, to ${brought.mean.toFixed(2)} degrees: the place is shown`);
+await pressed('[data-figure=stand] .figure-bar button:last-of-type');
+check(!(await given()), 'Start again hides it');
+await pressed('[data-control="show the place"]');
+check(await given(), 'and a button shows it');
+await stand.middle('[data-figure=stand]');
 let worstMean = 0, kinds = 0;
 for (const [name, across, down] of [['plan origin', 40, -25], ['elevation origin', -30, 20], ['plan eye', 60, -40], ['elevation eye', -20, -25], ['plan origin', -120, 50]]) {
   const before = await state(), now = await dragged(name, across, down), key = name.split(' ')[1];

@@ -18,6 +18,23 @@ const page = await BrowserPage.open(address);
 const plan = '(document.querySelector(".plan.live").boxprobePlan)';
 await page.until('!!document.querySelector(".plan.live")');
 
+// Questions: what follows one waits for a guess.
+const [qx, qy] = await page.middle('.question details.wrong summary');
+await page.click(qx, qy);
+const [rx, ry] = await page.middle('.question details.right summary');
+await page.click(rx, ry);
+const question = await page.evaluate(`({ open: [...document.querySelectorAll('.question details')].map((d) => d.open + d.className), tried: document.querySelector('.question').dataset.tried, score: document.querySelector('.score').textContent })`);
+check(question.open.filter((o) => o === 'trueright').length === 1 && !question.open.includes('truewrong'), 'one answer is open, the right one');
+check(question.tried === 'wrong' && /0 of 1 right/.test(question.score), `the first try counts: ${question.score}`);
+await page.click(...await page.middle('.forget'));
+const forgotten = await page.evaluate(`({ tried: document.querySelectorAll('[data-tried]').length, kept: localStorage.getItem('boxprobe-lessons'), plan: document.querySelector('.widget:has(.plan)').hidden,
+  score: document.querySelector('.score').textContent, button: document.querySelector('.forget').hidden, open: document.querySelectorAll('.question details[open]').length })`);
+check(forgotten.tried === 0 && !forgotten.kept && forgotten.plan && forgotten.button && !forgotten.score && !forgotten.open, 'answers are forgotten at a button, and what they showed is hidden');
+await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+check(await page.evaluate(`['.step:last-child', '.measured', '.exercises', '.widget:has(.plan)'].every((part) => [...document.querySelectorAll(part)].every((e) => getComputedStyle(e).display !== 'none')) && getComputedStyle(document.querySelector('.waiting')).display === 'none'`), 'on paper nothing waits for a guess');
+await page.send('Emulation.setEmulatedMedia', { media: '' });
+await page.click(...await page.middle('.waiting button'));
+
 // 1,000 drags of random handles to random places of their drawing.
 const handles = await page.evaluate(`[...document.querySelectorAll('.plan.live .plan-view')].flatMap((view, i) => [...view.querySelectorAll('.handle')].map((h) => [i, h.dataset.handle]))`);
 await page.middle('.plan.live .plan-views');
@@ -69,15 +86,6 @@ check(touched.position[0] > keyed.position[0] + 0.05, 'a finger moves P');
 await page.send('Emulation.setTouchEmulationEnabled', { enabled: false });
 await page.screenshot(path.join(out, 'plan.png'));
 
-// Questions: what follows one waits for a guess.
-const [qx, qy] = await page.middle('.question details.wrong summary');
-await page.click(qx, qy);
-const [rx, ry] = await page.middle('.question details.right summary');
-await page.click(rx, ry);
-const question = await page.evaluate(`({ open: [...document.querySelectorAll('.question details')].map((d) => d.open + d.className), tried: document.querySelector('.question').dataset.tried, score: document.querySelector('.score').textContent })`);
-check(question.open.filter((o) => o === 'trueright').length === 1 && !question.open.includes('truewrong'), 'one answer is open, the right one');
-check(question.tried === 'wrong' && /0 of 1 right/.test(question.score), `the first try counts: ${question.score}`);
-
 // Wipe.
 const [wx, wy] = await page.middle('.compare');
 await page.click(wx, wy);
@@ -96,7 +104,7 @@ await page.send('Emulation.setEmulatedMedia', { media: 'print' });
 check(onScreen && !(await covered()), 'on paper an open wipe leaves the picture itself');
 await page.send('Emulation.setEmulatedMedia', { media: '' });
 
-// The room, at the face size it is in the page with, as the lesson's first step has it.
+// The room, at the face size it is in the page with, as the step with the task has it: its box ends a metre behind the wall.
 const [ox, oy] = await page.middle('.open-room');
 await page.click(ox, oy);
 await page.until('Number(document.querySelector(".room-view").dataset.drawn) > 0 || !!document.querySelector(".room-said")?.textContent', 240);
@@ -104,7 +112,7 @@ await page.screenshot(path.join(out, 'room.png'));
 const png = path.join(out, 'render.png'), width = 480, height = 300;
 for (const technique of ['infinite', 'box']) {
   execFileSync(program, ['render', path.join(scenes, 'room.boxprobe.json'), '-o', png, '--size', `${width}x${height}`, '--camera', 'A', '--samples', '1', '--quiet', '--technique', technique,
-    '--set', 'probes.room.faceSize=128', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
+    '--set', 'probes.room.faceSize=128', '--set', 'probes.room.box.max=[5,3,3]', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
   await page.evaluate(`(async () => { const host = document.createElement('div'); host.className = 'room-view'; document.body.append(host); const from = document.querySelector('.room-view');
     await boxprobeRoom(host, JSON.parse(document.getElementById(from.dataset.scene).textContent), { antialias: false, prepare: (room) => boxprobeView(room, JSON.parse(from.dataset.view)) });
     host.boxprobePanel.redraw = () => {}; window.plainRoom = host.boxprobeRoom; plainRoom.row = plainRoom.findRow('${technique}', 'none'); })()`);
@@ -116,6 +124,7 @@ for (const technique of ['infinite', 'box']) {
 const taskFile = path.resolve(out, 'fit-the-box.html');
 if (!process.env.BOXPROBE_KEEP_PAGE || !existsSync(taskFile)) execFileSync(program, ['lessons', 'fit-the-box', '-o', taskFile, '--quiet', '--language', 'en'], { stdio: 'inherit' });
 const taskPage = await BrowserPage.open('file://' + taskFile);
+await taskPage.evaluate(`document.querySelector('.waiting button')?.click()`);
 const [tox, toy] = await taskPage.middle('.open-room');
 await taskPage.click(tox, toy);
 await taskPage.until('!!document.querySelector(".room-view + .task .task-said") || !!document.querySelector(".room-said")?.textContent', 240);

@@ -32,7 +32,8 @@ for (const [width, mobile] of [[1280, false], [360, true]]) {
   await page.evaluate('document.querySelector(".slider").focus()');
   for (let i = 0; i < 4; ++i) await page.key('ArrowRight');
   check(Math.abs((await page.evaluate(at)) - before - 2) < 0.01, `${width} pixels: four keys move it by two percent`);
-  check(await page.evaluate('[...document.querySelectorAll(".slider")].every((s) => s.getAttribute("aria-label").length > 20)'), 'every slider has a name');
+  check(await page.evaluate('[...document.querySelectorAll(".slider")].every((s) => s.getAttribute("aria-label").length > 20) && new Set([...document.querySelectorAll(".slider")].map((s) => s.getAttribute("aria-label"))).size === document.querySelectorAll(".slider").length'), 'every slider has a name of its own');
+  check(await page.evaluate('document.querySelectorAll("main").length === 1 && document.querySelector("main").contains(document.querySelector("h1"))'), 'what is to be read is the main part');
   await page.screenshot(path.join(out, `report-${width}.png`));
   await page.middle('.probes');
   await page.screenshot(path.join(out, `report-${width}-probes.png`));

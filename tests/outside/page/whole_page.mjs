@@ -27,6 +27,11 @@ check(found.lessons === files && found.broken === 0 && found.links === 0, `${fou
 check(await page.evaluate(`[...document.querySelectorAll('img')].every((image) => image.alt.includes(': ')) && new Set([...document.images].map((image) => image.alt)).size === document.images.length`), 'each picture has a text of its own');
 check(await page.evaluate(`[...document.querySelectorAll('main > section:not(.answers):not(.opening)')].every((lesson) => lesson.querySelector('h3 .minutes') && lesson.querySelector('.lesson-nav'))`), 'each lesson has its time and its neighbours');
 check(found.plans === Object.keys(widgets.plans).length && found.rooms === widgets.rooms.length, `${found.plans} plans and ${found.rooms} rooms`);
+// A search.
+const search = (words) => page.evaluate(`(() => { const s = document.querySelector('.search input'); s.value = '${words}'; s.dispatchEvent(new Event('input')); return { none: document.querySelector('.search-none').textContent, left: document.querySelectorAll('nav li li:not([hidden])').length }; })()`);
+const [nothing, some, all] = [await search('zzyzx'), await search('pillar arcade'), await search('')];
+check(nothing.left === 0 && nothing.none === 'No lesson has these words.' && some.left > 0 && some.left < files && !some.none && all.left === files && !all.none, `a search finds ${some.left} lessons, and says when it finds none`);
+await page.evaluate(`document.querySelectorAll('.waiting button').forEach((button) => button.click())`);
 await page.evaluate(`document.querySelectorAll('video').forEach((video) => { video.preload = 'auto'; video.load(); })`);
 await page.until(`[...document.querySelectorAll('video')].every((video) => video.readyState >= 2 || video.error)`);
 const films = await page.evaluate(`[...document.querySelectorAll('video')].map((video) => ({ seconds: video.duration, error: video.error?.message || '' }))`);
