@@ -101,13 +101,18 @@ void preferX() {
 
 }  // namespace
 
+bool displayIsNamed() {
+  const char* name = std::getenv("DISPLAY");
+  return name != nullptr && *name != '\0';
+}
+
 void requireDisplay(const std::string& command) {
   static bool found = false;  // asked once: each asking keeps a connection, see below
   if (found) return;
   const std::string advice =
       ": run `xvfb-run -a " + command + " ...`, which draws without a screen, or start it from a desktop";
   const char* name = std::getenv("DISPLAY");
-  if (name == nullptr || *name == '\0') {
+  if (!displayIsNamed()) {
     const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
     throw InputError("no display (DISPLAY is not set" + std::string(wayland ? "; on Wayland, install xwayland)" : ")") +
                      advice);

@@ -39,10 +39,7 @@ vtkSmartPointer<vtkOpenGLRenderWindow> osmesaWindow() {
 
 vtkSmartPointer<vtkOpenGLRenderWindow> windowFor(const OffscreenSettings& settings) {
   Offscreen offscreen = settings.offscreen;
-  const char* display = std::getenv("DISPLAY");
-  if (offscreen == Offscreen::Automatic) {
-    offscreen = display != nullptr && *display != '\0' ? Offscreen::X : Offscreen::Egl;
-  }
+  if (offscreen == Offscreen::Automatic) offscreen = displayIsNamed() ? Offscreen::X : Offscreen::Egl;
   if (offscreen == Offscreen::X) return windowOnDisplay(settings.command);
   if (offscreen == Offscreen::Osmesa) return osmesaWindow();
   std::string why;
