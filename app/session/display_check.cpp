@@ -3,8 +3,6 @@
 
 #include <GL/glx.h>
 #include <X11/Xlib.h>
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +10,8 @@
 
 #include "app/session/interrupt.h"
 #include "filters/core/base/errors.h"
+#include "filters/platform/process.h"
+#include "filters/platform/terminal.h"
 
 namespace boxprobe {
 
@@ -20,22 +20,20 @@ namespace {
 /// Mesa says on stderr what it could not load, and cannot be kept from it; our own line says what to do.
 class QuietStderr {
  public:
-  QuietStderr() : kept_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)), null_(open("/dev/null", O_WRONLY | O_CLOEXEC)) {
-    if (kept_ < 0 || null_ < 0) return;
-    sayOfSignalsTo(kept_);
-    dup2(null_, STDERR_FILENO);
+  QuietStderr() {
+    if (errors_.kept() < 0) return;
+    sayOfSignalsTo(errors_.kept());
+    errors_.silence();
   }
   ~QuietStderr() {
-    if (kept_ >= 0) dup2(kept_, STDERR_FILENO);
-    sayOfSignalsTo(STDERR_FILENO);
-    close(kept_);
-    close(null_);
+    errors_.restore();
+    sayOfSignalsTo(kStandardError);
   }
   QuietStderr(const QuietStderr&) = delete;
   QuietStderr& operator=(const QuietStderr&) = delete;
 
  private:
-  int kept_, null_;
+  KeptErrors errors_;
 };
 
 int ignoreXError(Display*, XErrorEvent*) {
@@ -96,10 +94,16 @@ std::string missingFromGlx(Display* display) {
 /// The window draws by X. Where Qt would take another of its platforms, or look for one that is not installed, X it is.
 void preferX() {
   const char* platform = std::getenv("QT_QPA_PLATFORM");
-  if (platform == nullptr || std::string(platform).rfind("wayland", 0) == 0) setenv("QT_QPA_PLATFORM", "xcb", 1);
+  if (platform == nullptr || std::string(platform).rfind("wayland", 0) == 0)
+    setEnvironment("QT_QPA_PLATFORM", "xcb", true);
 }
 
 }  // namespace
+
+bool displayIsNamed() {
+  const char* name = std::getenv("DISPLAY");
+  return name != nullptr && *name != '\0';
+}
 
 void requireDisplay(const std::string& command) {
   static bool found = false;  // asked once: each asking keeps a connection, see below
@@ -107,7 +111,7 @@ void requireDisplay(const std::string& command) {
   const std::string advice =
       ": run `xvfb-run -a " + command + " ...`, which draws without a screen, or start it from a desktop";
   const char* name = std::getenv("DISPLAY");
-  if (name == nullptr || *name == '\0') {
+  if (!displayIsNamed()) {
     const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
     throw InputError("no display (DISPLAY is not set" + std::string(wayland ? "; on Wayland, install xwayland)" : ")") +
                      advice);

@@ -6,6 +6,9 @@
 
 namespace boxprobe {
 
+/// Does the environment name a display (DISPLAY)? True where windows are not X's.
+bool displayIsNamed();
+
 /// Throws InputError if DISPLAY names no X server that can be reached, or one without GLX; WorkError if that has no
 /// visual or no OpenGL 3.2. Qt then uses X, too. `command` is what the user
 /// ran, for the advice: "boxprobe render".

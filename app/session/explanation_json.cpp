@@ -1,12 +1,12 @@
 // See explanation_json.h.
 #include "app/session/explanation_json.h"
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/session/valid_json.h"
 #include "filters/core/base/number_text.h"
+#include "filters/core/base/read_number.h"
 #include "filters/explain/explanation_sections.h"
 
 namespace boxprobe {
@@ -20,7 +20,7 @@ Json number(float value) {
   if (!std::isfinite(value)) return nullptr;
   const std::string text = numberText(value);
   double shortest = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), shortest);
+  readNumber(text.data(), text.data() + text.size(), shortest);
   return shortest;
 }
 

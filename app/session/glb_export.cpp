@@ -1,8 +1,6 @@
 // See glb_export.h.
 #include "app/session/glb_export.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +15,7 @@
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/engines/glb_probes.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/platform/folders.h"
 
 namespace boxprobe {
 
@@ -28,9 +27,10 @@ namespace fs = std::filesystem;
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "boxprobe-export-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw WorkError(name + ": cannot create this folder");
-    name_ = name;
+    const std::string start = (fs::temp_directory_path() / "boxprobe-export-").string();
+    const auto made = makeFolder(start);
+    if (!made) throw WorkError(start + "XXXXXX: cannot create this folder");
+    name_ = *made;
   }
   ~ScratchFolder() {
     std::error_code ignored;

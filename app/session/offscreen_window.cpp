@@ -15,6 +15,7 @@
 #include "app/session/surfaceless_window.h"
 #include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
+#include "filters/platform/process.h"
 #include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
@@ -39,10 +40,7 @@ vtkSmartPointer<vtkOpenGLRenderWindow> osmesaWindow() {
 
 vtkSmartPointer<vtkOpenGLRenderWindow> windowFor(const OffscreenSettings& settings) {
   Offscreen offscreen = settings.offscreen;
-  const char* display = std::getenv("DISPLAY");
-  if (offscreen == Offscreen::Automatic) {
-    offscreen = display != nullptr && *display != '\0' ? Offscreen::X : Offscreen::Egl;
-  }
+  if (offscreen == Offscreen::Automatic) offscreen = displayIsNamed() ? Offscreen::X : Offscreen::Egl;
   if (offscreen == Offscreen::X) return windowOnDisplay(settings.command);
   if (offscreen == Offscreen::Osmesa) return osmesaWindow();
   std::string why;
@@ -74,7 +72,7 @@ bool drawsFloats() {
 
 vtkSmartPointer<vtkOpenGLRenderWindow> openOffscreenWindow(const OffscreenSettings& settings) {
   if (!settings.beside) installVtkMessages(settings.quiet, settings.printErrors);
-  if (settings.fewFrames && !settings.beside) setenv("GALLIVM_PERF", "nopt", 0);
+  if (settings.fewFrames && !settings.beside) setEnvironment("GALLIVM_PERF", "nopt", false);
   const std::string toldBefore = firstVtkError();
   vtkSmartPointer<vtkOpenGLRenderWindow> window = windowFor(settings);
   window->SetOffScreenRendering(1);  // draws into a framebuffer of its own, and shows nothing

@@ -1,9 +1,6 @@
 // See opened_glb.h.
 #include "app/session/opened_glb.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +9,8 @@
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/engines/glb_probes.h"
 #include "filters/io/files/read_file.h"
+#include "filters/platform/folders.h"
+#include "filters/platform/process.h"
 #include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
@@ -27,15 +26,13 @@ fs::path cacheFolder() {
   const char* home = std::getenv("HOME");
   if (cache != nullptr && fs::path(cache).is_absolute()) return fs::path(cache) / "boxprobe" / "glb";
   if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".cache" / "boxprobe" / "glb";
-  return fs::temp_directory_path() / ("boxprobe-" + std::to_string(::getuid())) / "glb";
+  return fs::temp_directory_path() / ("boxprobe-" + userText()) / "glb";
 }
 
 /// Whoever can write into the folder can put another scene in the place of the one asked for.
 void requireOwn(const fs::path& folder) {
-  struct stat found {};
-  const bool own = ::lstat(folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == ::getuid() &&
-                   (found.st_mode & S_IWOTH) == 0;
-  if (!own) throw WorkError(folder.string() + ": others can write here; set HOME or XDG_CACHE_HOME");
+  if (!isUsersOwn(folder.string()))
+    throw WorkError(folder.string() + ": others can write here; set HOME or XDG_CACHE_HOME");
 }
 
 /// Removes what was not opened for a month. Only folders of this file's own names are touched.
@@ -68,7 +65,7 @@ std::string unpackedFolder(const std::string& path) {
   requireOwn(cache);
   removeOld(cache);
   // Beside the place, so that there is a whole folder or none; of two processes one comes too late.
-  const fs::path fresh = folder.string() + "." + std::to_string(::getpid());
+  const fs::path fresh = folder.string() + "." + std::to_string(processNumber());
   fs::remove_all(fresh, error);
   try {
     unpackGlb(path, fresh.string());

@@ -1,8 +1,6 @@
 // See output_check.h.
 #include "app/session/output_check.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -11,6 +9,7 @@
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/files/temporary_file.h"
+#include "filters/platform/folders.h"
 
 namespace boxprobe {
 
@@ -41,7 +40,7 @@ void requireOutputFolder(const std::string& option, const std::string& folder) {
   }
   fs::create_directories(folder, error);
   if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
-  if (access(folder.c_str(), W_OK) != 0) throw WorkError(folder + ": cannot write into this folder");
+  if (!canWriteInto(folder)) throw WorkError(folder + ": cannot write into this folder");
 }
 
 std::string requireExtension(const std::string& option, const std::string& path,

@@ -1,13 +1,13 @@
 // See progress_line.h.
 #include "app/session/progress_line.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
+
+#include "filters/platform/terminal.h"
 
 namespace boxprobe {
 
@@ -22,7 +22,7 @@ bool progressAsLines() {
 }  // namespace
 
 ProgressLine::ProgressLine(std::string label, bool enabled)
-    : label_(std::move(label)), lines_(progressAsLines()), enabled_(enabled && (lines_ || isatty(STDERR_FILENO) == 1)) {
+    : label_(std::move(label)), lines_(progressAsLines()), enabled_(enabled && (lines_ || errorsGoToTerminal())) {
   timeLeft_.update(0.0, 0.0);  // the work starts here, not where it is first told of
 }
 

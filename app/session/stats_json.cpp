@@ -1,7 +1,6 @@
 // See stats_json.h.
 #include "app/session/stats_json.h"
 
-#include <sys/resource.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 
@@ -10,6 +9,7 @@
 
 #include "app/session/valid_json.h"
 #include "filters/io/image/image_pool.h"
+#include "filters/platform/process.h"
 
 namespace boxprobe {
 
@@ -23,18 +23,11 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-/// Largest resident set of this process so far.
 Json orNull(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
 }  // namespace
-
-std::uint64_t peakResidentBytes() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);                             // cannot fail with these arguments
-  return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;  // Linux counts KiB
-}
 
 RunStats collectStats(const SceneRenderer& renderer, vtkOpenGLRenderWindow* window) {
   RunStats stats;

@@ -1,7 +1,6 @@
 // What ran, as the JSON of --stats and --json. Filled by `render` and by the window at its end.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,8 +27,5 @@ RunStats collectStats(const SceneRenderer& renderer, vtkOpenGLRenderWindow* wind
 /// One JSON object, indented, ended by a line break. What was not measured is null. The peak of the resident set is
 /// taken at the time of the call.
 std::string statsJson(const RunStats& stats);
-
-/// The most memory that this process has had, so far.
-std::uint64_t peakResidentBytes();
 
 }  // namespace boxprobe

@@ -3,13 +3,12 @@
 
 #include <vtkObjectFactory.h>
 
+#include "filters/platform/process.h"
 #include "filters/vtk/gl/opengl.h"
 
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-
-#include <cstdlib>
 
 namespace {
 
@@ -67,7 +66,7 @@ EGLDisplay startedDisplay() {
 }
 
 std::string vtkSurfacelessWindow::Open() {
-  setenv("EGL_LOG_LEVEL", "fatal", 0);  // lines of its own about drivers; ours follows
+  boxprobe::setEnvironment("EGL_LOG_LEVEL", "fatal", false);  // lines of its own about drivers; ours follows
   this->Display = startedDisplay();
   if (this->Display == EGL_NO_DISPLAY) return "EGL has no display here";
   // VTK takes the near plane by how many bits of depth the surface has.

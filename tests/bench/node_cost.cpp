@@ -15,6 +15,7 @@
 #include "data/scenes/scenes.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/probe_diffuse.h"
+#include "filters/platform/process.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/gl/map_bytes.h"
 #include "filters/vtk/maps/lattice_maker.h"

@@ -81,6 +81,36 @@ TEST(House, QtAndVtkStayInTheirFolders) {
   }
 }
 
+/// Is it a header of an operating system or of its windows? (time.h and signal.h are the C library's; C++ has its own.)
+bool isOfASystem(const std::string& header) {
+  static const std::set<std::string> known = {"aclapi.h",  "direct.h",  "dirent.h",   "dlfcn.h",   "fcntl.h",
+                                              "fnmatch.h", "io.h",      "malloc.h",   "poll.h",    "process.h",
+                                              "psapi.h",   "pthread.h", "pwd.h",      "sched.h",   "shlobj.h",
+                                              "signal.h",  "spawn.h",   "stdlib.h",   "termios.h", "time.h",
+                                              "unistd.h",  "windows.h", "winsock2.h", "GL/glx.h",  "GL/wglext.h"};
+  const std::string folder = header.substr(0, header.find('/') + 1);
+  return known.count(header) > 0 || folder == "sys/" || folder == "X11/" || folder == "EGL/" || folder == "mach-o/" ||
+         folder == "mach/" || folder == "linux/";
+}
+
+TEST(House, SystemsStayInTheirRoom) {
+  EXPECT_TRUE(isOfASystem("sys/stat.h") && isOfASystem("windows.h") && isOfASystem("X11/Xlib.h"));
+  EXPECT_FALSE(isOfASystem("csignal") || isOfASystem("vtkActor.h") || isOfASystem("string"));
+  const std::set<std::string> drawing = {"app/session/display_check.cpp", "app/session/surfaceless_window.cpp"};
+  int within = 0;
+  for (const SourceFile& file : sourceFiles(kRoot)) {
+    const bool platform = file.path.rfind("filters/platform/", 0) == 0;
+    for (const std::string& name : file.systemIncludes) {
+      if (!isOfASystem(name)) continue;
+      const bool source = file.path.substr(file.path.size() - 4) == ".cpp";
+      EXPECT_TRUE((platform && source) || drawing.count(file.path) > 0)
+          << file.path << " includes <" << name << ">; systems belong in the .cpp files of filters/platform";
+      ++within;
+    }
+  }
+  EXPECT_GT(within, 20);  // include lines are still found
+}
+
 /// The lines between <!-- rooms --> and <!-- /rooms --> that name a room.
 std::vector<std::string> quotedRooms(const std::string& readme) {
   std::ifstream in(std::filesystem::path(kRoot) / readme);

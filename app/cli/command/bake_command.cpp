@@ -1,8 +1,6 @@
 // See bake_command.h.
 #include "app/cli/command/bake_command.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -28,6 +26,8 @@
 #include "filters/core/scene/bounces.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/platform/heap.h"
+#include "filters/platform/name_pattern.h"
 
 namespace boxprobe {
 
@@ -51,7 +51,7 @@ struct BakeOptions {
 
 bool matchesAny(const std::string& name, const std::vector<std::string>& patterns) {
   return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const std::string& pattern) { return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0; });
+                     [&](const std::string& pattern) { return matchesPattern(pattern, name); });
 }
 
 /// The baked probes that are asked for: those named, those that match, else every one.

@@ -21,6 +21,7 @@
 #include "filters/explain/explanation_text.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/math/technique/technique_table.h"
+#include "filters/platform/heap.h"
 #include "filters/vtk/gl/cpu_time.h"
 
 namespace boxprobe {

@@ -19,6 +19,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/scene/scene_reference.h"
+#include "filters/platform/heap.h"
 
 namespace boxprobe {
 

@@ -29,6 +29,7 @@
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
+#include "filters/platform/process.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/path/reference_path.h"
 #include "filters/vtk/gl/cpu_time.h"

@@ -22,6 +22,7 @@
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/platform/heap.h"
 
 namespace boxprobe {
 

@@ -25,6 +25,7 @@
 #include "app/web/review_page.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/platform/heap.h"
 
 namespace boxprobe {
 

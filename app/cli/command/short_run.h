@@ -1,15 +1,10 @@
-// What a command that ends soon does without: memory in small pages, and taking apart at its end what the system takes
-// back in one go. Called by main and the commands; the window, which stays, does neither.
+// What a command that ends soon does without: taking apart at its end what the system takes back in one go. Called by
+// main and the commands; the window, which stays, does not.
 #pragma once
 
 #include <memory>
 
 namespace boxprobe {
-
-/// Has the heap grow in large pages, which are taken from the system a thousand times more seldom, and keeps what is
-/// freed. To be called before threads are started. Does nothing where the C library or the system has no such thing or
-/// addresses are limited (ulimit -v).
-void useLargePages();
 
 /// Keeps `object` alive until the process ends.
 void keepToTheEnd(std::shared_ptr<void> object);

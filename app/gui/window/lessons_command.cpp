@@ -37,6 +37,7 @@
 #include "filters/io/files/data_folder.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/scene/lesson_file.h"
+#include "filters/platform/process.h"
 
 namespace boxprobe {
 
@@ -326,7 +327,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
   const PageWidgets widgets = output.page ? loadPageWidgets(options.folder) : PageWidgets();
   if (!options.report.quiet) printWarnings(unmatchedWidgets(widgets, list.lessons));
   // Qt is here for its fonts: it needs no display, and what it remarks on its surroundings is not the user's business.
-  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  setEnvironment("QT_QPA_PLATFORM", "offscreen", true);
   qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& line) {
     if (type == QtCriticalMsg || type == QtFatalMsg) printError(line.toStdString());
   });

@@ -1,9 +1,6 @@
 // See window_signals.h.
 #include "app/gui/window/window_signals.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <QCoreApplication>
 #include <QSocketNotifier>
 #include <QTimer>
@@ -18,10 +15,12 @@
 namespace boxprobe {
 
 WindowSignals::WindowSignals(MainWindow& window) : window_(window) {
-  if (pipe2(pipe_, O_CLOEXEC | O_NONBLOCK) != 0) throw WorkError("no pipe can be made; too many files are open");
-  guard_ = std::make_unique<InterruptGuard>(pipe_[1]);
-  notifier_ = std::make_unique<QSocketNotifier>(pipe_[0], QSocketNotifier::Read);
-  connect(notifier_.get(), &QSocketNotifier::activated, this, [this] { end(); });
+  if (!pipe_.isOpen()) throw WorkError("no pipe can be made; too many files are open");
+  guard_ = std::make_unique<InterruptGuard>(pipe_.writeEnd());
+  if (pipe_.readEnd() >= 0) {
+    notifier_ = std::make_unique<QSocketNotifier>(pipe_.readEnd(), QSocketNotifier::Read);
+    connect(notifier_.get(), &QSocketNotifier::activated, this, [this] { end(); });
+  }
   timer_ = std::make_unique<QTimer>();
   connect(timer_.get(), &QTimer::timeout, this, [this] { keepUnsaved(); });
   timer_->start(500);
@@ -30,8 +29,6 @@ WindowSignals::WindowSignals(MainWindow& window) : window_(window) {
 WindowSignals::~WindowSignals() {
   guard_.reset();
   keepForSignals({}, {});
-  close(pipe_[0]);
-  close(pipe_[1]);
 }
 
 int WindowSignals::exitStatus() const {
@@ -39,6 +36,7 @@ int WindowSignals::exitStatus() const {
 }
 
 void WindowSignals::keepUnsaved() {
+  if (!notifier_ && guard_->interrupted()) return end();
   const Document& document = window_.document();
   if (document.modified() && document.scene() == kept_) return;
   const auto unsaved = window_.files().recovery();
@@ -47,7 +45,7 @@ void WindowSignals::keepUnsaved() {
 }
 
 void WindowSignals::end() {
-  notifier_->setEnabled(false);
+  if (notifier_) notifier_->setEnabled(false);
   (void)guard_->interrupted();  // seen
   try {
     const std::string path = window_.files().saveRecovery();

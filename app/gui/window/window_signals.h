@@ -7,6 +7,7 @@
 
 #include "app/session/interrupt.h"
 #include "filters/core/scene/scene.h"
+#include "filters/platform/wake_pipe.h"
 
 class QSocketNotifier;
 class QTimer;
@@ -28,7 +29,7 @@ class WindowSignals : public QObject {
   void keepUnsaved();
 
   MainWindow& window_;
-  int pipe_[2] = {-1, -1};
+  WakePipe pipe_;
   std::unique_ptr<InterruptGuard> guard_;
   std::unique_ptr<QSocketNotifier> notifier_;
   std::unique_ptr<QTimer> timer_;

@@ -7,12 +7,12 @@
 #include <OpenEXR/ImfStringVectorAttribute.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
+#include "filters/core/base/read_number.h"
 #include "filters/io/scene/scene_json.h"
 
 namespace boxprobe {
@@ -30,7 +30,7 @@ bool isVector(const Json& value) {
 double meant(float value) {
   const std::string text = numberText(value);
   double result = value;
-  std::from_chars(text.data(), text.data() + text.size(), result);
+  readNumber(text.data(), text.data() + text.size(), result);
   return result;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -14,6 +13,7 @@
 
 #include "filters/core/base/one_line.h"
 #include "filters/core/base/printable_text.h"
+#include "filters/core/base/read_number.h"
 #include "filters/io/engines/probe_import.h"
 
 namespace boxprobe {
@@ -32,7 +32,7 @@ inline std::optional<double> leadingNumber(std::string_view text) {
   const std::size_t at = text.find_first_not_of(" \t");
   if (at == std::string_view::npos) return {};
   double value = 0.0;
-  const auto result = std::from_chars(text.data() + at, text.data() + text.size(), value);
+  const auto result = readNumber(text.data() + at, text.data() + text.size(), value);
   if (result.ec != std::errc() || !std::isfinite(value)) return {};
   return value;
 }

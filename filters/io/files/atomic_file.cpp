@@ -1,20 +1,16 @@
-// Temporary file, flush, rename. POSIX calls, because the standard library cannot flush to disk.
+// Temporary file, flush, rename.
 #include "filters/io/files/atomic_file.h"
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <optional>
 
 #include "filters/core/base/errors.h"
 #include "filters/io/files/temporary_file.h"
+#include "filters/platform/folders.h"
+#include "filters/platform/output_file.h"
 
 namespace boxprobe {
 
@@ -28,48 +24,9 @@ constexpr const char* kFolderStart = ".boxprobe-unfinished-";
 constexpr const char* kClaim = "claim";
 constexpr const char* kClaimStart = "boxprobe-unfinished:";
 
-/// An open folder, closed by the destructor. Its lock ends with the process, even a killed one.
-class OpenFolder {
- public:
-  explicit OpenFolder(const std::string& name)
-      : descriptor_(::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)) {}
-  ~OpenFolder() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  OpenFolder(const OpenFolder&) = delete;
-  OpenFolder& operator=(const OpenFolder&) = delete;
-  bool isOpen() const { return descriptor_ >= 0; }
-  bool lock() const { return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0; }
-
- private:
-  int descriptor_;
-};
-
-/// Records, in one atomic step, which file of the folder is unfinished: as the target of a symbolic link, or in a file
-/// where links are not supported.
-bool writeClaim(const std::string& claim, const std::string& name) {
-  const std::string text = kClaimStart + name;
-  if (::symlink(text.c_str(), claim.c_str()) == 0) return true;
-  if (errno == ENOENT || errno == EEXIST) return false;
-  const int descriptor = ::open(claim.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0) return false;
-  const bool written = ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  ::close(descriptor);
-  return written;
-}
-
 /// The name in a claim; empty if it is not one of this program's.
 std::string claimedName(const std::string& claim) {
-  char text[1024];
-  ssize_t size = ::readlink(claim.c_str(), text, sizeof text);
-  if (size < 0) {
-    const int descriptor = ::open(claim.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor >= 0) {
-      size = ::read(descriptor, text, sizeof text);
-      ::close(descriptor);
-    }
-  }
-  const std::string said(text, static_cast<std::size_t>(size > 0 ? size : 0)), start = kClaimStart;
+  const std::string said = storedName(claim), start = kClaimStart;
   const std::string name = said.compare(0, start.size(), start) == 0 ? said.substr(start.size()) : std::string();
   return name.find('/') == std::string::npos && name != "." && name != ".." ? name : std::string();
 }
@@ -80,14 +37,14 @@ void removeLeftovers(const std::filesystem::path& folder) {
   std::error_code error;
   for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (it->path().filename().string().rfind(kFolderStart, 0) != 0) continue;
-    const OpenFolder left(it->path().string());
+    FolderLock left(it->path().string());
     if (!left.isOpen() || !left.lock()) continue;  // not a folder, or its process is alive
     const std::string name = claimedName((it->path() / kClaim).string());
     if (!name.empty()) {
-      ::unlink((it->path() / name).c_str());
-      ::unlink((it->path() / kClaim).c_str());
+      removeFile((it->path() / name).string().c_str());
+      removeFile((it->path() / kClaim).string().c_str());
     }
-    ::rmdir(it->path().c_str());  // fails unless it is empty; a process that has just created it creates another
+    left.remove();  // fails unless it is empty; a process that has just created it creates another
   }
 }
 
@@ -99,19 +56,16 @@ class Unfinished {
   bool create(const std::filesystem::path& folder, const std::filesystem::path& name) {
     constexpr int kTries = 100;  // another process may remove an empty folder as a leftover
     for (int i = 0; i < kTries; ++i) {
-      std::string made = (folder / kFolderStart).string() + "XXXXXX";
-      if (::mkdtemp(made.data()) == nullptr) return false;
-      folder_.emplace(made);
-      lock_.emplace(made);
+      const auto made = makeFolder((folder / kFolderStart).string());
+      if (!made) return false;
+      folder_.emplace(*made);
+      lock_.emplace(*made);
       if (lock_->isOpen()) {
         lock_->lock();  // without lock support, leftovers of living processes are removed: they fail with an error
-        claim_.emplace((std::filesystem::path(made) / kClaim).string());
-        if (writeClaim(claim_->name(), name.string())) {
-          file_.emplace((std::filesystem::path(made) / name).string());
-          const int descriptor = ::open(file_->name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-          if (descriptor < 0) return false;
-          ::close(descriptor);
-          return true;
+        claim_.emplace((std::filesystem::path(*made) / kClaim).string());
+        if (storeName(claim_->name(), kClaimStart + name.string())) {
+          file_.emplace((std::filesystem::path(*made) / name).string());
+          return NewFile(file_->name(), Access::AsUsual).isOpen();
         }
       }
       if (errno != ENOENT) return false;
@@ -124,21 +78,13 @@ class Unfinished {
  private:
   // Destroyed in reverse order: the file, its claim, the folder.
   std::optional<TemporaryName> folder_;
-  std::optional<OpenFolder> lock_;
+  std::optional<FolderLock> lock_;
   std::optional<TemporaryName> claim_, file_;
 };
 
-void flush(const std::string& file, int flags, const std::string& path) {
-  const int descriptor = ::open(file.c_str(), flags | O_CLOEXEC);
-  if (descriptor < 0) failed(path, "cannot reopen what was written");
-  const int result = ::fsync(descriptor);
-  const int reason = errno;
-  ::close(descriptor);
-  // Some file systems (pipes, a few network ones) have nothing to flush and return EINVAL: not an error.
-  if (result != 0 && reason != EINVAL) {
-    errno = reason;
-    failed(path, "cannot flush to disk");
-  }
+void requireFlushed(Flushed flushed, const std::string& path) {
+  if (flushed == Flushed::NotOpened) failed(path, "cannot reopen what was written");
+  if (flushed == Flushed::Failed) failed(path, "cannot flush to disk");
 }
 
 }  // namespace
@@ -174,12 +120,11 @@ void writeAtomically(const std::string& path, const std::function<void(const std
   if (!temporary.create(folder, target.filename())) failed(path, "cannot write in its folder");
   write(temporary.name());
 
-  struct stat old = {};
-  if (::stat(target.c_str(), &old) == 0) ::chmod(temporary.name().c_str(), old.st_mode & 07777);
-  flush(temporary.name(), O_RDONLY, path);
-  if (::rename(temporary.name().c_str(), target.c_str()) != 0) failed(path, "cannot be replaced");
+  copyPermissions(target.string(), temporary.name());
+  requireFlushed(flushFile(temporary.name()), path);
+  if (!replaceFile(temporary.name(), target.string())) failed(path, "cannot be replaced");
   temporary.release();
-  flush(folder.string(), O_RDONLY | O_DIRECTORY, path);  // the rename itself
+  requireFlushed(flushFolder(folder.string()), path);  // the rename itself
 }
 
 void writeTextAtomically(const std::string& path, const std::string& text) {

@@ -2,13 +2,15 @@
 
 #include <filesystem>
 
+#include "filters/platform/process.h"
+
 namespace boxprobe {
 
 namespace fs = std::filesystem;
 
 std::string dataFile(const std::string& below) {
   std::error_code unknown;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path program = programPath();
   for (fs::path at = program.parent_path(); at.has_relative_path(); at = at.parent_path()) {
     const fs::path data = at / "share/boxprobe";
     if (fs::is_directory(data, unknown)) return fs::weakly_canonical(data / below, unknown).string();

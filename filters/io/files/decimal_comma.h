@@ -1,10 +1,11 @@
 // Numbers of text formats as programs write them whose language has a decimal comma.
 #pragma once
 
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "filters/core/base/read_number.h"
 
 namespace boxprobe {
 
@@ -22,7 +23,7 @@ inline std::optional<double> decimalCommaNumber(std::string_view word) {
   if (!digit(comma - 1) || !digit(comma + 1)) return {};
   const char* const from = text.data() + (text.front() == '+' ? 1 : 0);
   double value = 0.0;
-  const auto result = std::from_chars(from, text.data() + text.size(), value);
+  const auto result = readNumber(from, text.data() + text.size(), value);
   if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return {};
   return value;
 }

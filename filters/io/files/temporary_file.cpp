@@ -1,12 +1,7 @@
 #include "filters/io/files/temporary_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <cerrno>
-#include <climits>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <random>
@@ -17,12 +12,14 @@ namespace boxprobe {
 
 namespace {
 
+constexpr int kLongestName = 4096;
+
 enum SlotState { kFree, kTaken, kLive };
 
 /// A signal handler may run between any two instructions: the name is complete before its state says so.
 struct NameSlot {
   std::atomic<int> state{kFree};
-  char name[PATH_MAX] = {};
+  char name[kLongestName] = {};
 };
 
 NameSlot nameSlots[96];
@@ -52,7 +49,7 @@ TemporaryName::TemporaryName(std::string name) : name_(std::move(name)), slot_(k
 
 TemporaryName::~TemporaryName() {
   if (name_.empty()) return;
-  std::remove(name_.c_str());
+  if (!removeFile(name_.c_str())) removeEmptyFolder(name_.c_str());
   release();
 }
 
@@ -63,36 +60,25 @@ void TemporaryName::release() {
 }
 
 TemporaryFile::TemporaryFile(const std::string& folder, const std::string& start)
-    : folder_(folder), name_(randomName(folder, start)) {
-  descriptor_ = ::open(name_.name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor_ >= 0) return;
+    : folder_(folder), name_(randomName(folder, start)), file_(name_.name(), Access::UserAlone) {
+  if (file_.isOpen()) return;
   const int reason = errno;
   name_.release();  // it is not ours
   throw WorkError("cannot write into " + folder + ": " + std::strerror(reason));
 }
 
-TemporaryFile::~TemporaryFile() {
-  ::close(descriptor_);
-}
-
 void TemporaryFile::write(const std::string& text) {
-  for (std::size_t written = 0; written < text.size();) {
-    const ssize_t count = ::write(descriptor_, text.data() + written, text.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) {
-      throw WorkError("cannot write into " + folder_ + ": " + std::strerror(errno) +
-                      "; is there room for temporary files?");
-    }
-    written += static_cast<std::size_t>(count);
-  }
+  if (file_.write(text.data(), text.size())) return;
+  throw WorkError("cannot write into " + folder_ + ": " + std::strerror(errno) +
+                  "; is there room for temporary files?");
 }
 
 void removeTemporaryFiles() noexcept {
   for (NameSlot& slot : nameSlots) {
-    if (slot.state.load() == kLive) ::unlink(slot.name);
+    if (slot.state.load() == kLive) removeFile(slot.name);
   }
   for (NameSlot& slot : nameSlots) {
-    if (slot.state.load() == kLive) ::rmdir(slot.name);
+    if (slot.state.load() == kLive) removeEmptyFolder(slot.name);
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "filters/platform/output_file.h"
+
 namespace boxprobe {
 
 /// Owns the name of a file, or of a folder that will be empty, which the destructor or removeTemporaryFiles() removes.
@@ -27,7 +29,6 @@ class TemporaryName {
 class TemporaryFile {
  public:
   TemporaryFile(const std::string& folder, const std::string& start);
-  ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
@@ -38,10 +39,11 @@ class TemporaryFile {
  private:
   std::string folder_;
   TemporaryName name_;
-  int descriptor_ = -1;
+  NewFile file_;
 };
 
-/// Removes all files registered now. For signal handlers that end the process: calls only unlink() and rmdir().
+/// Removes all files registered now. For signal handlers that end the process: calls only removeFile() and
+/// removeEmptyFolder().
 void removeTemporaryFiles() noexcept;
 
 }  // namespace boxprobe

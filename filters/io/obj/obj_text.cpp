@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <limits>
+
+#include "filters/core/base/read_number.h"
 
 namespace boxprobe {
 
@@ -119,7 +120,7 @@ bool readObjNumber(std::string_view word, double& value) {
     value = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto result = readNumber(word.data(), word.data() + word.size(), value);
   if (result.ec == std::errc::invalid_argument || result.ptr != word.data() + word.size()) return false;
   if (result.ec == std::errc::result_out_of_range) {
     const bool small = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;

@@ -1,9 +1,9 @@
 // Writes one field's value as JSON by its type.
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "filters/core/base/number_text.h"
+#include "filters/core/base/read_number.h"
 #include "filters/core/scene/bounces.h"
 #include "filters/io/scene/field_json.h"
 
@@ -38,7 +38,7 @@ std::string writtenPath(const std::string& file, const std::string& folder) {
 double widened(float value) {
   const std::string text = numberText(value);
   double shortest = value;
-  std::from_chars(text.data(), text.data() + text.size(), shortest);
+  readNumber(text.data(), text.data() + text.size(), shortest);
   return static_cast<float>(shortest) == value ? shortest : static_cast<double>(value);
 }
 double widened(double value) {

@@ -1,10 +1,9 @@
 #include "filters/vtk/gl/texture_memory.h"
 
-#include <unistd.h>
-
 #include <cstdlib>
 #include <limits>
 
+#include "filters/platform/process.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/gl/software_driver.h"
 
@@ -39,9 +38,8 @@ std::size_t textureMemoryLimit() {
     return all;
   }
   if (const std::size_t left = queried(GL_TEXTURE_FREE_MEMORY_ATI, card && BOXPROBE_HAS_MEMORY_INFO_ATI)) return left;
-  const long pages = ::sysconf(_SC_PHYS_PAGES), pageBytes = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || pageBytes <= 0) return std::numeric_limits<std::size_t>::max();
-  return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(pageBytes);
+  const std::uint64_t memory = physicalMemoryBytes();
+  return memory > 0 ? static_cast<std::size_t>(memory / 2) : std::numeric_limits<std::size_t>::max();
 }
 
 }  // namespace boxprobe

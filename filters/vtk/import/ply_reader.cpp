@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "filters/core/base/printable_text.h"
+#include "filters/core/base/read_number.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/mesh/polygon_mesh.h"
 #include "filters/io/mesh/polygon_triangles.h"
@@ -102,7 +103,7 @@ double numberOf(std::string_view word, bool whole, bool& valid) {
     valid = result.ec == std::errc() && result.ptr == end;
     return static_cast<double>(integer);
   }
-  const auto result = std::from_chars(word.data(), end, value);
+  const auto result = readNumber(word.data(), end, value);
   valid = result.ec != std::errc::invalid_argument && result.ptr == end;
   return result.ec == std::errc() ? value : std::numeric_limits<double>::quiet_NaN();
 }

@@ -1,13 +1,13 @@
 #include "filters/vtk/import/stl_reader.h"
 
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <string_view>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
+#include "filters/core/base/read_number.h"
 #include "filters/io/files/decimal_comma.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/mesh/polygon_mesh.h"
@@ -189,7 +189,7 @@ void readStlText(const std::string& path, const std::string& bytes, StlProgress&
     const std::string told(word.substr(0, 40));
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     double value = 0.0;
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto result = readNumber(word.data(), word.data() + word.size(), value);
     if (const auto comma = decimalCommaNumber(word)) {
       commas = true;
       return *comma;

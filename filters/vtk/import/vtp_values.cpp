@@ -3,13 +3,13 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string_view>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/read_number.h"
 #include "filters/vtk/import/vtp_file.h"
 
 namespace boxprobe {
@@ -167,7 +167,7 @@ class ArrayReader {
       while (at < end && (*at == ' ' || *at == '\n' || *at == '\r' || *at == '\t')) ++at;
       if (at == end) break;
       double value = 0.0;
-      const auto result = std::from_chars(*at == '+' ? at + 1 : at, end, value);
+      const auto result = readNumber(*at == '+' ? at + 1 : at, end, value);
       if (result.ec == std::errc::invalid_argument) fail("has a word that is not a number; save the file again");
       values.push_back(result.ec == std::errc() ? value : std::numeric_limits<double>::quiet_NaN());
       at = result.ptr;
