@@ -330,7 +330,7 @@
       if (!probe.captured) probe.captured = this.emptyCube(size, probe.maxLevel + 1);
       probe.map = probe.captured;
       const taps = scene.prefilter[size], most = Math.max(...taps.map((list) => list.length / 4));
-      const filter = this.fullScreen('lobe' + most, lobe.replace('bpTaps[768]', `bpTaps[${most}]`));
+      const filter = this.fullScreen('lobe' + most, lobe.replace(/layout\(std140\) uniform bpTapBlock.*/, `uniform vec4 bpTaps[${most}];`));
       for (let level = 0; level <= probe.maxLevel; level++) {
         const list = level ? taps[level - 1] : [0, 0, 0, 1];  // level 0: the capture itself
         for (let face = 0; face < 6; face++) {

@@ -15,7 +15,9 @@ uniform float bpFaceSize; // texels of the level written
 uniform float bpFixupWidth; // texels
 #endif
 uniform int bpTapCount;
-uniform vec4 bpTaps[768];  // xy: direction in the lobe's frame; z: level of the source; w: weight; weights sum to 1
+// A block of its own: uniforms of a program may be limited to 1,024 numbers. Each tap: x and y, the direction in the
+// lobe's frame; z, the level of the source; w, its weight. Weights sum to 1.
+layout(std140) uniform bpTapBlock { vec4 bpTaps[768]; };
 
 vec4 lobeMean(vec3 n)
 {

@@ -84,7 +84,7 @@ TEST_F(WelcomeTest, EverythingFitsIntoANarrowPicture) {
       EXPECT_GE(one->width(), one->minimumSizeHint().width());
       for (const QPushButton* other : buttons) {
         const QRect second(other->mapTo(&narrow, QPoint()), other->size());
-        if (one != other) EXPECT_FALSE(place.intersects(second)) << width;
+        EXPECT_TRUE(one == other || !place.intersects(second)) << width;
       }
     }
   }

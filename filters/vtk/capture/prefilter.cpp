@@ -122,6 +122,10 @@ void Prefilter::filterWith(const CubeTexture& source, const CubeTexture& chain, 
   const BoundTexture bound(window_, flat ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP,
                            flat ? flat_.handle() : source.handle());
   FullScreenPass& pass = fixup ? fixupPass_ : flat ? flatPass_ : lobePass_;
+  if (tapBuffer_ == 0) glGenBuffers(1, &tapBuffer_);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, tapBuffer_);
+  glBufferData(GL_UNIFORM_BUFFER, kMaxSamples * static_cast<GLsizeiptr>(sizeof packed[0]), nullptr, GL_STREAM_DRAW);
+  glBufferSubData(GL_UNIFORM_BUFFER, 0, count * static_cast<GLsizeiptr>(sizeof packed[0]), packed.data());
   for (int face = 0; face < 6; ++face) {
     to_.bind(window_, chain, face, level);
     pass.draw(window_, [&](vtkShaderProgram* program) {
@@ -136,9 +140,11 @@ void Prefilter::filterWith(const CubeTexture& source, const CubeTexture& chain, 
         program->SetUniformf("bpFixupWidth", static_cast<float>(std::min(edgeFixupWidth, size / 2)));
       }
       program->SetUniformi("bpTapCount", count);
-      program->SetUniform4fv("bpTaps", count, reinterpret_cast<const float(*)[4]>(packed.data()));
+      const auto number = static_cast<GLuint>(program->GetHandle());
+      glUniformBlockBinding(number, glGetUniformBlockIndex(number, "bpTapBlock"), 0);
     });
   }
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, 0);
   ++counters_->levelsFiltered;
 }
 
@@ -158,6 +164,8 @@ void Prefilter::release() {
   flatPass_.release();
   forgetSource();
   fixupPass_.release();
+  if (tapBuffer_ != 0) glDeleteBuffers(1, &tapBuffer_);
+  tapBuffer_ = 0;
 }
 
 }  // namespace boxprobe

@@ -57,6 +57,7 @@ class Prefilter {
     std::vector<LobeTap> taps;
   };
   std::vector<Taps> taps_;  ///< of the lobes used last: probes of one size share them
+  GLuint tapBuffer_ = 0;
 };
 
 }  // namespace boxprobe
