@@ -28,8 +28,9 @@ void CALLBACK timeIsOver(void*, BOOLEAN) {
   endingHandlers.late();
 }
 
-void removeTimer() {
-  if (lateTimer != nullptr) DeleteTimerQueueTimer(nullptr, lateTimer, nullptr);
+// With INVALID_HANDLE_VALUE it waits for a call under way, which must not remove the timer itself.
+void removeTimer(HANDLE completion) {
+  if (lateTimer != nullptr) DeleteTimerQueueTimer(nullptr, lateTimer, completion);
   lateTimer = nullptr;
 }
 
@@ -42,11 +43,11 @@ void takeEndingSignals(const EndingHandlers& handlers) {
 
 void giveBackEndingSignals() {
   SetConsoleCtrlHandler(consoleAsks, FALSE);
-  removeTimer();
+  removeTimer(INVALID_HANDLE_VALUE);
 }
 
 void callLateIn(long milliseconds) noexcept {
-  removeTimer();
+  removeTimer(nullptr);
   CreateTimerQueueTimer(&lateTimer, nullptr, timeIsOver, nullptr, static_cast<DWORD>(milliseconds), 0,
                         WT_EXECUTEONLYONCE);
 }

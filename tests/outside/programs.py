@@ -6,7 +6,7 @@ usage: programs.py BOXPROBE SCENES FOLDER [SCENE...]
 Mesa writes each program as it reaches the driver. glslangValidator checks and links it as GLSL 1.50, as which it is compiled, and as
 SPIR-V, which spirv-val checks; for that alone gl_FragData becomes an output of its own. Samplers and components of uniforms are those
 that glslang's linker finds in use by the fragment shader. Fails where a compiler refuses a program, where a program of a shipped scene
-has more than 16 samplers, or more than 4,096 components (what cards of the last fifteen years have).
+has more than 16 samplers, or more than 1,024 components (what OpenGL promises).
 """
 import hashlib
 import os
@@ -20,7 +20,7 @@ from pathlib import Path
 SAMPLERS = {0x8B5D, 0x8B5E, 0x8B5F, 0x8B60, 0x8B61, 0x8B62, 0x8DC1, 0x8DC2, 0x8DC4, 0x8B63, 0x8DCA, 0x8DD2, 0x8DC5}
 COMPONENTS = {0x1406: 1, 0x1404: 1, 0x1405: 1, 0x8B56: 1, 0x8B50: 2, 0x8B51: 3, 0x8B52: 4, 0x8B53: 2, 0x8B54: 3, 0x8B55: 4,
               0x8B5A: 4, 0x8B5B: 9, 0x8B5C: 16, 0x8B65: 6}
-MOST_SAMPLERS, MOST_COMPONENTS = 16, 4096
+MOST_SAMPLERS, MOST_COMPONENTS = 16, 1024
 
 # What a scene is drawn as: its own techniques, those that look up most, every debug view, and at rest.
 DRAWN = [[], ["--technique", "impostor"], ["--technique", "raytraced"], ["--technique", "footprint8"], ["--technique", "auto"],
@@ -80,10 +80,10 @@ def for_spirv(pair):
 
 
 def counts(reflection):
-    """(samplers, components) of the fragment shader: bit 16 of `stages`."""
+    """(samplers, components) of the fragment shader (bit 16 of `stages`); what stands in a block is none of its components."""
     samplers = components = 0
-    for kind, size, stages in re.findall(r"type ([0-9a-f]+), size (\d+), .*?stages (\d+)", reflection):
-        if not int(stages) & 16:
+    for kind, size, block, stages in re.findall(r"type ([0-9a-f]+), size (\d+), index (-?\d+), .*?stages (\d+)", reflection):
+        if not int(stages) & 16 or block != "-1":
             continue
         if int(kind, 16) in SAMPLERS:
             samplers += int(size)

@@ -88,13 +88,18 @@ TEST_F(Platform, ProcessTimeIsTheClocks) {
 }
 
 TEST_F(Platform, ThePeakGrowsByWhatIsWritten) {
+  static bool done = false;  // a peak never falls: once a process
+  if (done) GTEST_SKIP();
+  done = true;
   constexpr std::size_t kBytes = std::size_t{96} << 20u;
   const std::uint64_t before = peakResidentBytes();
   std::vector<char> pages(kBytes, 'x');
   const std::uint64_t grown = peakResidentBytes() - before;
   EXPECT_EQ(pages[kBytes / 3], 'x');
   EXPECT_GT(grown, kBytes / 10 * 9);
+#ifndef __SANITIZE_THREAD__  // which keeps a shadow of what is written
   EXPECT_LT(grown, kBytes * 2);
+#endif
   EXPECT_GT(physicalMemoryBytes(), peakResidentBytes());
 }
 

@@ -45,7 +45,11 @@ void WindowSignals::keepUnsaved() {
 }
 
 void WindowSignals::end() {
-  if (notifier_) notifier_->setEnabled(false);
+  if (notifier_) {
+    notifier_->setEnabled(false);
+  } else {
+    timer_->stop();
+  }
   (void)guard_->interrupted();  // seen
   try {
     const std::string path = window_.files().saveRecovery();
