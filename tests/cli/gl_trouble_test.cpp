@@ -5,9 +5,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "filters/core/base/errors.h"
 #include "filters/math/sampling/filter_lobe.h"
+#include "filters/vtk/draw/fewer_samplers.h"
 #include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/gl/map_bytes.h"
 #include "filters/vtk/maps/lattice_atlas.h"
@@ -19,6 +21,7 @@ namespace boxprobe::test {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
@@ -205,6 +208,68 @@ TEST_F(GlTrouble, WhatTheDriverHasNoTextureUnitsForIsGivenUpInOrderAndSaid) {
   }
   EXPECT_GE(lessImpostors, 2u);
   EXPECT_EQ(lessProbes, 3u);
+}
+
+// A program that does not compile at all, and then one that does.
+TEST_F(GlTrouble, AProgramOfSeveralProbesThatIsRefusedIsOneOfFewer) {
+  const Setting broken("BOXPROBE_BREAK_SHADER", "probes");
+  const Shown fewer = show(fourProbes(4, 4));
+  EXPECT_EQ(fewer.error, "");
+  EXPECT_THAT(fewer.floor, HasSubstr("4 impostors are drawn by box, 3 probes are left out"));
+  EXPECT_EQ(fewer.image.pixels, show(fourProbes(0, 1)).image.pixels);
+}
+
+std::shared_ptr<const DrawnProbe> drawnProbe(const char* technique, float importance) {
+  DrawnProbe probe;
+  probe.geometry.technique = *parseTechnique(technique);
+  probe.geometry.parameters.sampling = 1;
+  probe.geometry.importance = importance;
+  return std::make_shared<DrawnProbe>(probe);
+}
+
+TEST_F(GlTrouble, EachStepGivesUpOneThingAndTheyEnd) {
+  ProbeBinding whole;
+  whole.lighting = Lighting::Probes;
+  whole.openness = true;
+  whole.movingLights = {3};
+  whole.shadowLights = {1};
+  whole.probes = {drawnProbe("impostor+raytraced", 5.0f), drawnProbe("box", 3.0f), drawnProbe("impostor", 2.0f)};
+  std::vector<std::string> said;
+  std::set<std::string> keys = {whole.variantKey()};
+  std::shared_ptr<const ProbeBinding> at = std::make_shared<ProbeBinding>(whole);
+  while (const auto less = withLess(*at)) {
+    at = less;
+    said.push_back(givenUpText(at->givenUp, 0));
+    EXPECT_TRUE(keys.insert(at->variantKey()).second) << said.back();
+    ASSERT_LT(said.size(), 20u);
+  }
+  EXPECT_THAT(said,
+              ElementsAre("1 impostor is drawn by box", "2 impostors are drawn by box",
+                          "2 impostors are drawn by box, rays are chosen without tables of light",
+                          HasSubstr("of light, the sky is not occluded"), HasSubstr("occluded, 1 probe is left out"),
+                          HasSubstr("occluded, 2 probes are left out"),
+                          HasSubstr("2 probes are left out, moving objects throw no shadow")));
+  ASSERT_THAT(at->probes, SizeIs(1));
+  EXPECT_EQ(at->probes[0]->geometry.importance, 5.0f) << "the most important one stays";
+  EXPECT_EQ(at->shadowLights, whole.shadowLights) << "what keeps light out of a room stays";
+  EXPECT_TRUE(at->sky && at->weights) << "the sky had a share";
+  EXPECT_FALSE(at->chooses("sampling", "luminance"));
+}
+
+TEST_F(GlTrouble, TexturesWithoutWhichItIsAnotherMaterialStay) {
+  SurfaceMaterial whole;
+  const auto picture = std::make_shared<const SurfaceTexture>(TextureUse{}, false, nullptr);
+  for (SurfaceSlot& slot : whole.slots) slot.texture = picture;
+  std::shared_ptr<const SurfaceMaterial> at = std::make_shared<SurfaceMaterial>(whole);
+  std::size_t steps = 0;
+  while (const auto less = withTextureLess(*at)) {
+    at = less;
+    ASSERT_LT(++steps, 20u);
+  }
+  EXPECT_EQ(steps, kSurfaceSlots - 4u);
+  for (const SurfaceSlotIndex slot : {kBaseColorSlot, kRoughMetalSlot, kEmissiveSlot, kTransmissionSlot}) {
+    EXPECT_TRUE(at->slots[slot].texture) << slot;
+  }
 }
 
 TEST_F(GlTrouble, ADebugProgramThatIsRefusedHarmsNoPicture) {

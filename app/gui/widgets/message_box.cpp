@@ -1,6 +1,8 @@
 // See message_box.h.
 #include "app/gui/widgets/message_box.h"
 
+#include <QCoreApplication>
+#include <QFileInfo>
 #include <QTextDocument>
 
 namespace boxprobe {
@@ -17,6 +19,12 @@ QMessageBox::StandardButton askUser(QWidget* parent, const QString& title, const
   PlainQuestion box(parent, title, question, buttons);
   if (standard != QMessageBox::NoButton) box.setDefaultButton(standard);
   return static_cast<QMessageBox::StandardButton>(box.exec());
+}
+
+bool mayOverwrite(QWidget* parent, const QString& title, const QString& path) {
+  if (!QFileInfo::exists(path)) return true;
+  const QString question = QCoreApplication::translate("boxprobe", "%1 already exists. Replace it?").arg(path);
+  return askUser(parent, title, question) == QMessageBox::Yes;
 }
 
 void warnUser(QWidget* parent, const QString& title, const QString& line) {

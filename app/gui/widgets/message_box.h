@@ -13,6 +13,10 @@ QMessageBox::StandardButton askUser(QWidget* parent, const QString& title, const
                                     QMessageBox::StandardButtons buttons = QMessageBox::Yes | QMessageBox::No,
                                     QMessageBox::StandardButton standard = QMessageBox::NoButton);
 
+/// Asks where a file of that name exists. For names that were completed after a file dialog, which asked about the name
+/// as it was typed.
+bool mayOverwrite(QWidget* parent, const QString& title, const QString& path);
+
 /// What could not be done, and why.
 void warnUser(QWidget* parent, const QString& title, const QString& line);
 

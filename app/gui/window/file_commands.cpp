@@ -269,11 +269,7 @@ bool FileCommands::saveAs() {
   if (path.isEmpty()) return false;
   if (!path.endsWith(".json", Qt::CaseInsensitive)) {
     path += kSceneSuffix;
-    // The dialog asked about the name as typed, not about this one.
-    if (QFileInfo::exists(path) &&
-        askUser(window_, tr("Save as"), tr("%1 already exists. Replace it?").arg(path)) != QMessageBox::Yes) {
-      return false;
-    }
+    if (!mayOverwrite(window_, tr("Save as"), path)) return false;
   }
   return saveTo(path);
 }
@@ -356,7 +352,10 @@ void FileCommands::exportImage() {
   QString path = QFileDialog::getSaveFileName(window_, tr("Export image"), folder(),
                                               tr("Display colours (*.png);;Linear light (*.exr)"));
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
+  if (QFileInfo(path).suffix().isEmpty()) {
+    path += ".png";
+    if (!mayOverwrite(window_, tr("Export image"), path)) return;
+  }
   try {
     hooks_.exportTo(path.toStdString());
     emit message(tr("Wrote %1").arg(path));

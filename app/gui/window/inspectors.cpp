@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/panel_section.h"
 
@@ -55,6 +56,7 @@ Inspectors::Inspectors(QWidget* parent) : QWidget(parent), tabs_(new QTabWidget(
     head->addWidget(sheet.name = nameLabel());
     sheet.name->setObjectName(names[i]);
     head->addWidget(sheet.about = helpLabel(page));
+    sheet.about->setTextFormat(Qt::PlainText);  // it names what files name
     rows->addLayout(head);
     sheet.scroll = new QScrollArea;
     sheet.scroll->setWidgetResizable(true);
@@ -82,7 +84,7 @@ void Inspectors::setPanels(Page page, const QList<QWidget*>& panels) {
 void Inspectors::setHeading(Page page, const QString& name, const QString& about) {
   const Sheet& sheet = sheets_[static_cast<std::size_t>(page)];
   sheet.name->setText(name);
-  sheet.name->setToolTip(name);
+  sheet.name->setToolTip(plainToolTip(name));
   sheet.about->setText(about);
 }
 

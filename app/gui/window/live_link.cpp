@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/gui/widgets/message_box.h"
 #include "app/session/glb_export.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/engines/glb_probes.h"
@@ -33,7 +34,10 @@ void LiveLink::ask(bool on) {
   const QString proposed = scene.isEmpty() ? QString("live.glb") : QFileInfo(scene).path() + "/live.glb";
   QString path = QFileDialog::getSaveFileName(window_, tr("Live link to a file"), proposed, tr("glTF (*.glb)"));
   if (path.isEmpty()) return emit switched(false);
-  if (QFileInfo(path).suffix().isEmpty()) path += ".glb";
+  if (QFileInfo(path).suffix().isEmpty()) {
+    path += ".glb";
+    if (!mayOverwrite(window_, tr("Live link to a file"), path)) return emit switched(false);
+  }
   start(path);
 }
 

@@ -352,10 +352,12 @@ void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& mode
 
 QStringList PanelDocks::materialsOf(const QString& node) const {
   QStringList names;
+  const std::string wanted = node.toStdString();
+  if (wanted.empty()) return names;
   for (const auto& model : models_) {
     for (const Instance& instance : model->instances) {
       const int material = model->meshes[static_cast<std::size_t>(instance.mesh)].material;
-      if (material < 0 || instance.node != node.toStdString()) continue;
+      if (material < 0 || instance.node != wanted) continue;
       names += QString::fromStdString(model->materials[static_cast<std::size_t>(material)].name);
     }
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/gui/edit/work_beside.h"
+#include "app/gui/widgets/message_box.h"
 #include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
 #include "app/web/review_page.h"
@@ -23,7 +24,10 @@ void SceneReporter::ask() {
   QString path = QFileDialog::getSaveFileName(window_, tr("Report"), QDir(shown_().folder).filePath("report.html"),
                                               tr("Pages (*.html)"));
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".html";
+  if (QFileInfo(path).suffix().isEmpty()) {
+    path += ".html";
+    if (!mayOverwrite(window_, tr("Report"), path)) return;
+  }
   write(path);
 }
 

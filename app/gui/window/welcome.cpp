@@ -5,12 +5,12 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "app/gui/widgets/flow_layout.h"
+#include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/scene_card.h"
 #include "app/gui/widgets/thumbnails.h"
 
@@ -56,6 +56,7 @@ QLabel* heading(const QString& text, double scale) {
 }  // namespace
 
 Welcome::Welcome(QWidget* picture, const QString& scenes) : QWidget(picture) {
+  setAttribute(Qt::WA_NoMousePropagation);  // to the picture below, which it covers
   setObjectName("welcome");
   setAutoFillBackground(true);
   setCursor(Qt::ArrowCursor);
@@ -143,7 +144,7 @@ void Welcome::setRecent(const QStringList& paths) {
 void Welcome::add(FlowLayout* to, const QString& title, const QString& words, const QString& path,
                   const QString& thumbnail) {
   auto* card = new SceneCard(title, words);
-  card->setToolTip(QDir::toNativeSeparators(path));
+  card->setToolTip(plainToolTip(QDir::toNativeSeparators(path)));
   connect(card, &QPushButton::clicked, this, [this, path] { emit chosen(path); });
   to->addWidget(card);
   card->show();
@@ -171,15 +172,6 @@ void Welcome::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   raise();  // what stands over the picture was made later
   reading_.start();
-}
-
-// Of the picture below, which it covers.
-void Welcome::mousePressEvent(QMouseEvent* event) {
-  event->accept();
-}
-
-void Welcome::wheelEvent(QWheelEvent* event) {
-  event->accept();
 }
 
 }  // namespace boxprobe

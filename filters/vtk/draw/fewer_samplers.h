@@ -16,8 +16,9 @@ namespace boxprobe {
 /// is left to give up.
 std::shared_ptr<const ProbeBinding> withLess(const ProbeBinding& binding);
 
-/// The same material without the texture that shows least, as if its file did not name it. Base colour stays. Null if
-/// it has no other.
+/// The same material without the texture that shows least, as if its file did not name it. Null if it has only those
+/// without which it would be another material: base colour, roughness and metal, emission (all of it would glow),
+/// transmission (all of it would be glass).
 std::shared_ptr<const SurfaceMaterial> withTextureLess(const SurfaceMaterial& surface);
 
 /// As the end of a line: "2 impostors are drawn by box, 1 probe is left out". Empty if nothing was given up.

@@ -1,6 +1,7 @@
 // Tests the handling of a refused shader: the environment variable BOXPROBE_BREAK_SHADER names a shader whose source is
 // then made invalid: "surface" (the physically based one with probes), "debug" (the same for debug views and
-// explanations), "constants", or a file of shaders/gpu that is a pass of its own.
+// explanations), "probes" (where a draw has more than one), "constants", or a file of shaders/gpu that is a pass of its
+// own.
 #pragma once
 
 #include <cstdlib>

@@ -170,22 +170,48 @@ bool vtkProbePass::IsFor(vtkProp* prop) const {
 }
 
 void vtkProbePass::SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface) {
-  this->Surface = std::move(surface);
-  this->TexturesLess = 0;
+  this->WholeSurface = std::move(surface);
+  this->AskWhole();
+  this->Built.Modified();
+}
+
+// With another material or mirror less may have to be given up, or more.
+void vtkProbePass::AskWhole() {
+  this->LessOf.clear();
+  this->TakeLess();
+  this->UpdateDrawn();
+}
+
+// Of what is whole, as much as the driver is known to link.
+void vtkProbePass::TakeLess() {
+  this->Asked.binding = this->Asked.whole;
+  Less less;
+  if (this->Asked.whole && !this->LessOf.empty()) {
+    const auto known = this->LessOf.find(this->Asked.whole->variantKey());
+    if (known != this->LessOf.end()) {
+      less = known->second;
+    }
+  }
+  for (int i = 0; i < less.steps; ++i) {
+    if (auto fewer = boxprobe::withLess(*this->Asked.binding)) {
+      this->Asked.binding = std::move(fewer);
+    }
+  }
+  if (less.textures == this->TexturesLess && (this->TexturesLess > 0 || this->Surface == this->WholeSurface)) {
+    return;
+  }
+  this->Surface = this->WholeSurface;
+  for (this->TexturesLess = 0; this->TexturesLess < less.textures && this->Surface; ++this->TexturesLess) {
+    if (auto fewer = boxprobe::withTextureLess(*this->Surface)) {
+      this->Surface = std::move(fewer);
+    }
+  }
   this->Built.Modified();
 }
 
 void vtkProbePass::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding) {
   this->Asked.whole = std::move(binding);
-  this->Asked.binding = this->Asked.whole;
-  if (this->Asked.whole && !this->StepsLess.empty()) {
-    const auto steps = this->StepsLess.find(this->Asked.whole->variantKey());
-    for (int i = 0; steps != this->StepsLess.end() && i < steps->second; ++i) {
-      if (auto less = boxprobe::withLess(*this->Asked.binding)) {
-        this->Asked.binding = std::move(less);
-      }
-    }
-  }
+  this->TakeLess();
   this->UpdateDrawn();
 }
 
@@ -244,6 +270,7 @@ void vtkProbePass::SetMirror(std::shared_ptr<const boxprobe::MirrorPicture> mirr
   const bool another = (mirror == nullptr) != (this->Mirror == nullptr);
   this->Mirror = std::move(mirror);
   if (another) {
+    this->AskWhole();
     this->Rebuild();
   }
 }
@@ -380,6 +407,9 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
     return false;
   }
   boxprobe::breakShaderIfAsked(sources.fragment, this->Asked.debug ? "debug" : "surface");
+  if (this->Drawn().probes.size() > 1) {
+    boxprobe::breakShaderIfAsked(sources.fragment, "probes");
+  }
   if (this->Made.traits.constants) {
     boxprobe::writeConstants(sources.fragment, this->Made.traits.constants->values);
     boxprobe::breakShaderIfAsked(sources.fragment, "constants");
@@ -433,13 +463,13 @@ std::shared_ptr<const boxprobe::SurfaceMaterial> vtkProbePass::WithTextureLess()
 
 bool vtkProbePass::GiveUp() {
   if (auto less = this->WithLess()) {
-    ++this->StepsLess[this->Asked.whole->variantKey()];
+    ++this->LessOf[this->Asked.whole->variantKey()].steps;
     this->Asked.binding = std::move(less);
     this->UpdateDrawn();
     return true;
   }
   if (auto less = this->WithTextureLess()) {
-    ++this->TexturesLess;
+    this->LessOf[this->Asked.whole ? this->Asked.whole->variantKey() : std::string()].textures = ++this->TexturesLess;
     this->Surface = std::move(less);
     return true;
   }

@@ -198,6 +198,8 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   std::shared_ptr<const boxprobe::ProbeBinding> WithLess() const;
   std::shared_ptr<const boxprobe::SurfaceMaterial> WithTextureLess() const;
   bool GiveUp();
+  void AskWhole();
+  void TakeLess();
   void Refuse(vtkAbstractMapper* mapper, vtkActor* actor);
   void Upload(vtkShaderProgram* program, const double* boundsWorld);
   void Count(vtkShaderProgram* program);
@@ -208,9 +210,15 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   Request Asked;
   Variant Made;
   Outcome Last;
-  std::map<std::string, int> StepsLess;  ///< by the variant key of bindings that the driver refused
-  std::size_t TexturesLess = 0;          ///< given up of the material
-  vtkTimeStamp Built;                    ///< when the program last had to change
+  /** What was given up, because the driver refused the program. */
+  struct Less {
+    int steps = 0;             ///< of the binding
+    std::size_t textures = 0;  ///< of the material
+  };
+  std::map<std::string, Less> LessOf;  ///< by the variant key of the whole binding; of this material and mirror alone
+  std::shared_ptr<const boxprobe::SurfaceMaterial> WholeSurface;
+  std::size_t TexturesLess = 0;  ///< that Surface lacks of the whole
+  vtkTimeStamp Built;            ///< when the program last had to change
   bool Again = false;
   bool HiddenInView = false;
   vtkWeakPointer<vtkActor> Actor;
