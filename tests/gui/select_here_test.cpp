@@ -71,7 +71,7 @@ TEST_F(SelectHereTest, ADoubleClickSelectsTheProbeThatLightsTheSurface) {
   // Not where a handle is: those of the selected probe are put away with its mode.
   window_->probeWidget().setMode(HandleMode::Origin);
   const Camera before = window_->renderer().currentCamera();
-  doubleClick(pixelOf({0.2, 0.0, -1.5}));
+  doubleClick(pixelOf({0.6, 0.0, -1.5}));
   EXPECT_EQ(selected(), "b");
   doubleClick(pixelOf({1.8, 0.0, -1.5}));
   EXPECT_EQ(selected(), "c");
