@@ -266,8 +266,9 @@ TEST_F(GlTrouble, TexturesWithoutWhichItIsAnotherMaterialStay) {
     at = less;
     ASSERT_LT(++steps, 20u);
   }
-  EXPECT_EQ(steps, kSurfaceSlots - 4u);
-  for (const SurfaceSlotIndex slot : {kBaseColorSlot, kRoughMetalSlot, kEmissiveSlot, kTransmissionSlot}) {
+  EXPECT_EQ(steps, kSurfaceSlots - 7u);
+  for (const SurfaceSlotIndex slot : {kBaseColorSlot, kRoughMetalSlot, kEmissiveSlot, kTransmissionSlot, kCoatSlot,
+                                      kSheenColorSlot, kIridescenceSlot}) {
     EXPECT_TRUE(at->slots[slot].texture) << slot;
   }
 }

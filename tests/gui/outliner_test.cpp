@@ -303,7 +303,13 @@ TEST_F(OutlinerTest, DeleteAndDuplicateLeaveProbesThatAreNotSelected) {
   for (const QAction* action : menu->actions()) {
     EXPECT_FALSE(action->shortcut() == QKeySequence(QKeySequence::Delete)) << "it would not delete the probe";
   }
-  click(probeRow(0));
+  // The probe that is selected all the while, asked for in the picture.
+  auto* remove = outliner().findChild<QToolButton*>("Delete");
+  click(model.index(0, 0, model.group(Kind::Lights)));
+  EXPECT_FALSE(remove->isEnabled());
+  window_->editor().selectProbe(document().selectedProbe());
+  EXPECT_TRUE(remove->isEnabled());
+  EXPECT_TRUE(tree()->selectionModel()->isSelected(probeRow(0)));
   window_->viewport().setFocus();
   key(Qt::Key_D, Qt::ControlModifier);
   EXPECT_EQ(document().scene().probes.size(), before.probes.size() + 1);

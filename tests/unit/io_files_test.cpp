@@ -3,7 +3,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <charconv>
+#include <cmath>
+#include <string>
+
 #include "filters/core/base/printable_text.h"
+#include "filters/core/base/read_number.h"
 #include "filters/io/cube/cube_file.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/inside_folder.h"
@@ -132,6 +137,55 @@ TEST(JsonLimits, WhatHasMoreEntriesIsNamedBeforeItIsRead) {
   EXPECT_EQ(errorText([&] { parseJsonText(list + "]}", "s.json"); }),
             "s.json: probes: has more than 10000 entries, the most that are read; leave some out");
   EXPECT_NO_THROW(checkJsonSyntax(list + "]}", "model.gltf"));
+}
+
+// Where the library has no std::from_chars for fractions, a stream reads the same from the same text.
+TEST(NumberText, AStreamReadsWhatTheLibraryReads) {
+  for (const std::string text : {"0",
+                                 "-.5",
+                                 ".5",
+                                 "5.",
+                                 "-",
+                                 ".",
+                                 "-.",
+                                 "",
+                                 "1e",
+                                 "1e+",
+                                 "1e-",
+                                 "1e5x",
+                                 "+1",
+                                 " 1",
+                                 "0x10",
+                                 "1e999",
+                                 "-1e999",
+                                 "nan",
+                                 "-NaN",
+                                 "inf",
+                                 "-inf",
+                                 "Infinity",
+                                 "infinit",
+                                 "in",
+                                 "1,5",
+                                 "00012.50e-01",
+                                 "123456789.123456789e-12",
+                                 "2.2250738585072014e-308",
+                                 "1.7976931348623157e308",
+                                 "3.14159.5",
+                                 "7e0007",
+                                 "-0"}) {
+    double expected = 12.25, read = 12.25;
+    const char* const first = text.data();
+    const auto wanted = std::from_chars(first, first + text.size(), expected);
+    const auto got = readNumberByStream(first, first + text.size(), read);
+    EXPECT_EQ(got.ec, wanted.ec) << text;
+    EXPECT_EQ(got.ptr - first, wanted.ptr - first) << text;
+    if (std::isnan(expected)) {
+      EXPECT_TRUE(std::isnan(read)) << text;
+    } else {
+      EXPECT_EQ(read, expected) << text;
+    }
+    EXPECT_EQ(std::signbit(read), std::signbit(expected)) << text;
+  }
 }
 
 }  // namespace

@@ -210,6 +210,7 @@ void Editor::selectProbes(const std::vector<std::size_t>& indices, std::optional
   const auto shownBefore = document_.selectedProbe();
   document_.selectProbe(shown);
   if (shownBefore != document_.selectedProbe() || before != selected()) emit selectionChanged();
+  if (!indices.empty()) emit probesAsked();
 }
 
 void Editor::toggleProbe(std::size_t index) {

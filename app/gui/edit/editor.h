@@ -70,6 +70,8 @@ class Editor : public QObject {
  signals:
   /// Other probes are selected, or others beside the one that the document has selected.
   void selectionChanged();
+  /// Probes were asked to be selected, whether or not they were before.
+  void probesAsked();
   /// An edit was committed, cancelled, undone or redone. The document does not tell its observers when what a preview
   /// shows becomes a step, for the scene stays as it is shown; the undo stack and the end of the preview are told here.
   void settled();

@@ -154,6 +154,7 @@ Outliner::Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QW
         Qt::QueuedConnection);
   });
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &Outliner::choose);
+  connect(&editor_, &Editor::probesAsked, this, &Outliner::showProbes);
   connect(&state_, &ViewState::changed, this, [this] {
     model_->stateChanged();
     followSelection();
@@ -186,9 +187,19 @@ void Outliner::showStates(const std::vector<BakeStateLook>& looks) {
 void Outliner::update() {
   const bool renamed = model_->show(editor_.scene(), filter_->text().trimmed());
   renamed && !choosing_ && !othersSelected() ? showSelection() : followSelection();
-  const std::vector<std::size_t> selected = editor_.selected();
-  duplicate_->setEnabled(!selected.empty());
-  delete_->setEnabled(!selected.empty());
+  enableButtons();
+}
+
+void Outliner::enableButtons() {
+  const bool probes = !editor_.selected().empty() && onlyProbesSelected();
+  duplicate_->setEnabled(probes);
+  delete_->setEnabled(probes);
+}
+
+void Outliner::showProbes() {
+  if (choosing_) return;
+  state_.selectObjects({});
+  showSelection();
 }
 
 // Probes are open at first, cameras and lights too; long lists of objects only once they are asked for, or searched.
@@ -250,6 +261,7 @@ void Outliner::choose() {
   const auto selected = editor_.document().selectedProbe();
   model_->markShown(editor_.selected().size() > 1 && selected ? static_cast<int>(*selected) : -1);
   rememberSelection();
+  enableButtons();
   choosing_ = false;
 }
 
@@ -328,6 +340,7 @@ void Outliner::showSelection() {
     selection->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
   }
   selection->select(wanted, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  enableButtons();
   choosing_ = false;
 }
 

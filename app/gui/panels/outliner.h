@@ -42,6 +42,8 @@ class Outliner : public QWidget {
   void showStates(const std::vector<BakeStateLook>& looks);
   /// All probes that are listed.
   void selectAll();
+  /// The selected probes, in place of whatever else is selected: one of them was asked for elsewhere.
+  void showProbes();
   /// The selected probes. Where something else is selected, nothing is, and a message says what to do instead.
   void duplicateSelected();
   void deleteSelected();
@@ -73,6 +75,7 @@ class Outliner : public QWidget {
   void followSelection();
   void showSelection();
   void rememberSelection();
+  void enableButtons();
   bool selects(std::initializer_list<OutlinerModel::Kind> kinds) const;
   /// A light or a camera.
   bool othersSelected() const;

@@ -47,8 +47,7 @@ constexpr double kWheelStep = 120.0;  ///< eighths of a degree: one notch of a u
 
 }  // namespace
 
-Viewport::Viewport(QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), readout_(new QLabel(this)) {
+Viewport::Viewport(QWidget* parent) : QVTKOpenGLNativeWidget(parent), readout_(new QLabel(this)) {
   setRenderWindow(window_.Get());
   // VTK's own mouse interaction would render at every event, and knows nothing of handles.
   interactor()->SetInteractorStyle(nullptr);

@@ -17,11 +17,12 @@ constexpr const char* kFile = "recent.ini";
 }  // namespace
 
 QStringList recentFiles() {
-  QStringList present;
-  for (const QString& path : openSettings(kFile)->value(kKey).toStringList()) {
-    if (QFileInfo::exists(path)) present.push_back(path);
-  }
-  return present;
+  return openSettings(kFile)->value(kKey).toStringList();
+}
+
+void forgetFile(const QString& path) {
+  QStringList files = recentFiles();
+  if (files.removeAll(QFileInfo(path).absoluteFilePath()) > 0) openSettings(kFile)->setValue(kKey, files);
 }
 
 void rememberFile(const QString& path) {

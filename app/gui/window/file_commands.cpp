@@ -164,6 +164,10 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     emit message(tr("Loading cancelled; the scene is unchanged."));
     return false;
   } catch (const std::exception& error) {
+    if (!QFileInfo::exists(path)) {
+      forgetFile(path);
+      emit recentChanged(recentFiles());
+    }
     showError(tr("Cannot open"), QString::fromUtf8(error.what()));
     return false;
   }

@@ -85,6 +85,7 @@ void LiveLink::write() {
   content->scene = document_.scene();
   content->writer = "Boxprobe " BOXPROBE_VERSION;
   content->diffuse = renderer_.probesDiffuse();
+  writing_ = path_;
   work_.start([content, maps = maps_, model = models.front(), path = path_.toStdString(),
                revision = revision_ + 1](const BackgroundWork::Progress&) -> BackgroundWork::Finish {
     for (const Probe& probe : content->scene.probes) {
@@ -108,7 +109,7 @@ void LiveLink::written(bool stopped, const QString& error) {
   } else if (!stopped) {
     told_.clear();
     ++revision_;
-    if (running() && ++writtenHere_ == 1) emit message(tr("%1 follows the scene").arg(path_));
+    if (running() && writing_ == path_ && ++writtenHere_ == 1) emit message(tr("%1 follows the scene").arg(path_));
   }
   if (again_) soon_.start();
 }

@@ -69,6 +69,7 @@ class LiveLink : public QObject {
   bool again_ = false;    ///< something changed while it was written
   int revision_ = 0;      ///< goes on from one link to the next: a script that follows must not see a number again
   int writtenHere_ = 0;   ///< since this link began
+  QString writing_;       ///< the file that is being written, or was last: perhaps another link's
   QString told_;          ///< the last error
   BackgroundWork work_;
 };

@@ -154,7 +154,10 @@ MainWindow::MainWindow()
              const bool own = lessons_->sceneName().isEmpty();
              return own ? QString::fromStdString(ownPathOf(document_.path(), document_.scene())) : QString();
            },
-           [this] { return viewport_->readyToDraw() && !renderer_->workPending() && !document_.previewing(); },
+           [this] {
+             const bool plain = renderer_->view().view == 0 && !state_->anyHidden() && !state_->isolated();
+             return plain && viewport_->readyToDraw() && !renderer_->workPending() && !document_.previewing();
+           },
            [this] { return viewport_->grabFramebuffer(); }},
           this)),
       panels_(new PanelDocks(this, {*editor_, *state_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {

@@ -15,15 +15,18 @@ ThumbnailKeeper::ThumbnailKeeper(Hooks hooks, QObject* parent) : QObject(parent)
 
 void ThumbnailKeeper::opened() {
   due_ = hooks_.path();
+  looks_ = 0;
   if (!due_.isEmpty()) later_.start();
 }
 
 void ThumbnailKeeper::look() {
   const QString path = hooks_.path();
-  if (path.isEmpty()) return;  // a lesson's: until the own scene is back
-  if (path == due_ && !hooks_.atRest()) return;
+  if (path.isEmpty()) return;     // a lesson's: until the own scene is back
+  constexpr int kMostLooks = 90;  // about a minute
+  const bool rests = hooks_.atRest();
+  if (path == due_ && !rests && ++looks_ < kMostLooks) return;
   later_.stop();
-  if (path == due_) keepThumbnail(path, hooks_.picture());
+  if (path == due_ && rests) keepThumbnail(path, hooks_.picture());
 }
 
 }  // namespace boxprobe

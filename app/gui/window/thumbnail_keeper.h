@@ -15,8 +15,8 @@ class ThumbnailKeeper : public QObject {
  public:
   struct Hooks {
     std::function<QString()> path;    ///< of the user's own scene; empty: none, or something else is on show
-    std::function<bool()> atRest;     ///< nothing is left to capture or draw, and nobody drags
-    std::function<QImage()> picture;  ///< as it is on the screen: nothing is drawn for it
+    std::function<bool()> atRest;     ///< the plain picture is on show, nothing is left to capture, nobody drags
+    std::function<QImage()> picture;  ///< as it is on the screen, handles included
   };
   explicit ThumbnailKeeper(Hooks hooks, QObject* parent = nullptr);
 
@@ -29,6 +29,7 @@ class ThumbnailKeeper : public QObject {
   Hooks hooks_;
   QTimer later_;
   QString due_;
+  int looks_ = 0;  ///< since then; a realtime probe never rests
 };
 
 }  // namespace boxprobe

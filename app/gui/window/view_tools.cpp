@@ -131,7 +131,7 @@ void ViewTools::connectShown() {
   connect(sideBySide_, &ViewComparison::onChanged, this, &ViewTools::showSceneWhole);
   // Whatever selects a probe.
   connect(&parts_.editor, &Editor::selectionChanged, &parts_.state, [this] { parts_.state.selectObjects({}); });
-  connect(&parts_.handles, &ProbeWidget::taken, &parts_.state, [this] { parts_.state.selectObjects({}); });
+  connect(&parts_.handles, &ProbeWidget::taken, &parts_.panels.outliner(), &Outliner::showProbes);
 }
 
 void ViewTools::showSceneWhole() {

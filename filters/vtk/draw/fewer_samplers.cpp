@@ -92,9 +92,8 @@ std::shared_ptr<const ProbeBinding> withLess(const ProbeBinding& binding) {
 
 std::shared_ptr<const SurfaceMaterial> withTextureLess(const SurfaceMaterial& surface) {
   constexpr SurfaceSlotIndex kLeastFirst[] = {
-      kFilmThicknessSlot, kSheenRoughnessSlot, kCoatNormalSlot, kCoatRoughnessSlot, kIridescenceSlot,
-      kAnisotropySlot,    kSpecularColorSlot,  kSpecularSlot,   kThicknessSlot,     kSheenColorSlot,
-      kCoatSlot,          kOcclusionSlot,      kNormalSlot};
+      kFilmThicknessSlot, kSheenRoughnessSlot, kCoatNormalSlot, kCoatRoughnessSlot, kAnisotropySlot,
+      kSpecularColorSlot, kSpecularSlot,       kThicknessSlot,  kOcclusionSlot,     kNormalSlot};
   for (const SurfaceSlotIndex slot : kLeastFirst) {
     if (!surface.slots[slot].texture) continue;
     auto less = std::make_shared<SurfaceMaterial>(surface);

@@ -17,8 +17,8 @@ namespace boxprobe {
 std::shared_ptr<const ProbeBinding> withLess(const ProbeBinding& binding);
 
 /// The same material without the texture that shows least, as if its file did not name it. Null if it has only those
-/// without which it would be another material: base colour, roughness and metal, emission (all of it would glow),
-/// transmission (all of it would be glass).
+/// without which it would be another material: base colour, roughness and metal, and the shares of what would then be
+/// everywhere on it (emission, transmission, coat, sheen, iridescence).
 std::shared_ptr<const SurfaceMaterial> withTextureLess(const SurfaceMaterial& surface);
 
 /// As the end of a line: "2 impostors are drawn by box, 1 probe is left out". Empty if nothing was given up.

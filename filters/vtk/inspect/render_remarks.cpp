@@ -49,7 +49,8 @@ std::vector<std::string> sceneRemarks(const SceneContent& content, const FrameRe
   const std::vector<std::string> leftOut = leftOutLines(report);
   addFirst(leftOut);
   if (leftOut.size() > kNamed) {
-    texts.push_back("and " + std::to_string(leftOut.size() - kNamed) + " more lines of this kind; `info --frame` has all");
+    texts.push_back("and " + std::to_string(leftOut.size() - kNamed) +
+                    " more lines of this kind; `info --frame` has all");
   }
   if (counters.texelsNotFinite > 0) {
     texts.push_back(std::to_string(counters.texelsNotFinite) +
