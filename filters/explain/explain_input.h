@@ -48,7 +48,8 @@ struct ExplainedProbe {
 struct MovingMap {
   int light = 0;
   int size = 0;
-  std::vector<float> depth;  ///< rows from the bottom
+  std::shared_ptr<const std::vector<float>>
+      depth;  ///< rows from the bottom; shared: a map is some megabytes, an input is one pixel's
   glm::dmat4 mapFromWorld{1.0};
   glm::dvec2 apart{0.0};  ///< taps of its filter, in the map's coordinates
   double off = 0.0;       ///< how far off the surface it is looked up, scene units

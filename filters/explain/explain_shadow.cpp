@@ -86,7 +86,7 @@ float movingShadowAt(const MovingMap& map, const glm::dvec3& positionWorld) {
   const auto lit = [&](int column, int row) {
     const int c = std::clamp(column, 0, map.size - 1), r = std::clamp(row, 0, map.size - 1);
     const auto texel = static_cast<std::size_t>(r) * static_cast<std::size_t>(map.size) + static_cast<std::size_t>(c);
-    return reference <= map.depth[texel] ? 1.0f : 0.0f;
+    return reference <= (*map.depth)[texel] ? 1.0f : 0.0f;
   };
   float sum = 0.0f;
   for (int i = 0; i < 9; ++i) {

@@ -159,10 +159,11 @@ void SurfaceInspector::readMovingMaps() {
   sunMaps_.clear();
   const auto read = [this](MovingMap map, GLuint texture) {
     const auto side = static_cast<std::size_t>(map.size);
-    map.depth.resize(side * side);
+    auto depth = std::make_shared<std::vector<float>>(side * side);
     const BoundTexture bound(window_, GL_TEXTURE_2D, texture);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, map.depth.data());
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth->data());
+    map.depth = std::move(depth);
     return map;
   };
   for (const MovingShadow& shadow : state_->resources.movingShadows) {
@@ -267,7 +268,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.sightLights = binding.sightLights;
   in.movingMaps = movingMaps_;
   for (const SunUse& sun : binding.sunLights) {
-    if (sun.map < sunMaps_.size() && !sunMaps_[sun.map].depth.empty()) in.sunMaps.push_back(sunMaps_[sun.map]);
+    if (sun.map < sunMaps_.size() && sunMaps_[sun.map].depth) in.sunMaps.push_back(sunMaps_[sun.map]);
   }
   Explanation e = explainPixel(in);
   e.rendered = pixel.color;
