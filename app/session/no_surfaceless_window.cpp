@@ -3,7 +3,7 @@
 
 namespace boxprobe {
 
-vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeSurfacelessWindow(std::string& why) {
+vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeSurfacelessWindow(std::string& why, bool) {
   why = "this system has no EGL";
   return nullptr;
 }

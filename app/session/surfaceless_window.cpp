@@ -10,6 +10,9 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace {
 
 // Owns a context and a surface of one pixel: all drawing goes into framebuffers of VTK's or ours.
@@ -19,7 +22,7 @@ class vtkSurfacelessWindow : public vtkGenericOpenGLRenderWindow {
   vtkTypeMacro(vtkSurfacelessWindow, vtkGenericOpenGLRenderWindow)
 
       // Empty, or what EGL does not offer.
-      std::string Open();
+      std::string Open(bool devicesAlone);
 
   void Initialize() override {
     this->MakeCurrent();
@@ -45,6 +48,9 @@ class vtkSurfacelessWindow : public vtkGenericOpenGLRenderWindow {
   ~vtkSurfacelessWindow() override;
 
  private:
+  std::string OpenOn(EGLDisplay display);
+  void Close();
+
   EGLDisplay Display = EGL_NO_DISPLAY;
   EGLContext Context = EGL_NO_CONTEXT;
   EGLSurface Surface = EGL_NO_SURFACE;
@@ -52,23 +58,48 @@ class vtkSurfacelessWindow : public vtkGenericOpenGLRenderWindow {
 
 vtkStandardNewMacro(vtkSurfacelessWindow);
 
-EGLDisplay startedDisplay() {
+// Whose displays may have a context, the likeliest first. None of them is started yet.
+std::vector<EGLDisplay> displays(bool devicesAlone) {
   const char* offered = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  const std::string extensions = offered != nullptr ? offered : "";
+  const auto has = [&extensions](const char* name) { return extensions.find(name) != std::string::npos; };
   const auto getPlatform =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-  if (getPlatform != nullptr && offered != nullptr &&
-      std::string(offered).find("EGL_MESA_platform_surfaceless") != std::string::npos) {
-    EGLDisplay display = getPlatform(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE) return display;
+  std::vector<EGLDisplay> found;
+  if (!devicesAlone) {
+    if (getPlatform != nullptr && has("EGL_MESA_platform_surfaceless")) {
+      found.push_back(getPlatform(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    }
+    found.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
   }
-  EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-  return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE ? display : EGL_NO_DISPLAY;
+  // Drivers of cards that know no surfaceless platform, and whose default display asks for a window system.
+  const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+  if (getPlatform != nullptr && queryDevices != nullptr && has("EGL_EXT_platform_device")) {
+    EGLint count = 0;
+    if (queryDevices(0, nullptr, &count) != EGL_TRUE) count = 0;
+    std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
+    if (queryDevices(count, devices.data(), &count) != EGL_TRUE) count = 0;
+    devices.resize(static_cast<std::size_t>(count));
+    for (EGLDeviceEXT device : devices) found.push_back(getPlatform(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+  }
+  found.erase(std::remove(found.begin(), found.end(), EGL_NO_DISPLAY), found.end());
+  return found;
 }
 
-std::string vtkSurfacelessWindow::Open() {
+std::string vtkSurfacelessWindow::Open(bool devicesAlone) {
   boxprobe::setEnvironment("EGL_LOG_LEVEL", "fatal", false);  // lines of its own about drivers; ours follows
-  this->Display = startedDisplay();
-  if (this->Display == EGL_NO_DISPLAY) return "EGL has no display here";
+  std::string why = "EGL has no display here";
+  for (EGLDisplay display : displays(devicesAlone)) {
+    if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) continue;
+    why = this->OpenOn(display);
+    if (why.empty()) break;
+    this->Close();
+  }
+  return why;
+}
+
+std::string vtkSurfacelessWindow::OpenOn(EGLDisplay display) {
+  this->Display = display;
   // VTK takes the near plane by how many bits of depth the surface has.
   const EGLint wanted[] = {
       EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE, 8, EGL_DEPTH_SIZE, 24,
@@ -114,27 +145,26 @@ void vtkSurfacelessWindow::OpenGLInitContext() {
 vtkSurfacelessWindow::~vtkSurfacelessWindow() {
   this->MakeCurrent();
   this->Finalize();
-  if (this->Display == EGL_NO_DISPLAY) {
-    return;
-  }
-  // The display stays: other windows have the same.
+  this->Close();
+}
+
+// The display stays: other windows have the same.
+void vtkSurfacelessWindow::Close() {
+  if (this->Display == EGL_NO_DISPLAY) return;
   eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  if (this->Surface != EGL_NO_SURFACE) {
-    eglDestroySurface(this->Display, this->Surface);
-  }
-  if (this->Context != EGL_NO_CONTEXT) {
-    eglDestroyContext(this->Display, this->Context);
-    this->Context = EGL_NO_CONTEXT;
-  }
+  if (this->Surface != EGL_NO_SURFACE) eglDestroySurface(this->Display, this->Surface);
+  if (this->Context != EGL_NO_CONTEXT) eglDestroyContext(this->Display, this->Context);
+  this->Surface = EGL_NO_SURFACE;
+  this->Context = EGL_NO_CONTEXT;
 }
 
 }  // namespace
 
 namespace boxprobe {
 
-vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeSurfacelessWindow(std::string& why) {
+vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeSurfacelessWindow(std::string& why, bool devicesAlone) {
   const auto window = vtkSmartPointer<vtkSurfacelessWindow>::New();
-  why = window->Open();
+  why = window->Open(devicesAlone);
   if (!why.empty()) return nullptr;
   return window;
 }
