@@ -102,8 +102,8 @@ same slurm-bake
 
 # Placing probes: fits by one array, pictures from the rooms by the next, a job that writes the scene. Fewer rooms, since one
 # process compares pictures for many minutes where there are 64: with BOXPROBE_FARM_ROOMS=64 they are the same.
-"$generate" . --apartments "${BOXPROBE_FARM_ROOMS:-6}" >/dev/null
-rooms=apartments-${BOXPROBE_FARM_ROOMS:-6}.boxprobe.json
+"$generate" . --apartments "${BOXPROBE_FARM_ROOMS:-2}" >/dev/null
+rooms=apartments-${BOXPROBE_FARM_ROOMS:-2}.boxprobe.json
 place=("$boxprobe" place "$rooms")
 timed "placing, one process" "${place[@]}" -o placed.boxprobe.json --quiet
 "${place[@]}" -o placed-slurm.boxprobe.json --emit slurm --shards 8 >slurm.sh
