@@ -10,10 +10,13 @@
 #include <utility>
 
 #include "app/session/fit_scene.h"
+#include "app/session/shared_work.h"
 #include "filters/core/base/one_line.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/reference/path/reference_path.h"
 #include "filters/reference/trace/picture_rays.h"
 #include "filters/reference/trace/scene_tracer.h"
+#include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
 
@@ -39,6 +42,7 @@ std::string sentence(const char* format, Values... values) {
 }
 
 struct Eye {
+  std::size_t number = 0;
   std::size_t room = 0;
   Camera camera;
   ReferencePicture truth;
@@ -120,18 +124,10 @@ class Checker {
     const std::vector<std::pair<std::size_t, Camera>> cameras = this->cameras();
     const SceneTracer tracer(makeTriangleScene(loaded_.scene, loaded_.models));
     double sum = 0.0, count = 0.0;
+    const SharedWork* shared = settings_.shared;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-      PathSettings settings;
-      settings.width = kWidth;
-      settings.height = kHeight;
-      settings.raysPerPixel = settings_.paths;
-      Eye eye{cameras[i].first,
-              cameras[i].second,
-              path_.render(cameras[i].second, settings,
-                           [&](double done) {
-                             return report(0.4 * (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
-                           }),
-              {}};
+      if (shared != nullptr && shared->sharing() && !shared->mine(i)) continue;
+      Eye eye{i, cameras[i].first, cameras[i].second, traced(i, cameras), {}};
       if (!eye.truth.complete) return false;
       const PictureRays rays(cameras[i].second, kWidth, kHeight);
       for (int y = 0; y < kHeight; ++y) {
@@ -147,6 +143,22 @@ class Checker {
     surfaces_ = count > 0.0;
     white_ = count > 0.0 ? kWhite * sum / count : 0.0;
     return true;
+  }
+
+  ReferencePicture traced(std::size_t i, const std::vector<std::pair<std::size_t, Camera>>& cameras) const {
+    const std::string name = "eye-" + std::to_string(i + 1) + "-traced";
+    if (settings_.shared != nullptr) {
+      if (auto known = settings_.shared->findTraced(name)) return *std::move(known);
+    }
+    PathSettings settings;
+    settings.width = kWidth;
+    settings.height = kHeight;
+    settings.raysPerPixel = settings_.paths;
+    ReferencePicture picture = path_.render(cameras[i].second, settings, [&](double done) {
+      return report(0.4 * (static_cast<double>(i) + done) / static_cast<double>(cameras.size()));
+    });
+    if (settings_.shared != nullptr && picture.complete) settings_.shared->keepTraced(name, picture);
+    return picture;
   }
 
   static float weightOf(const SceneTracer& tracer, const glm::dvec3& from, const glm::dvec3& along) {
@@ -183,11 +195,11 @@ class Checker {
     roomSquares_.assign(placement_.rooms.size(), 0.0);
     roomNoise_.assign(placement_.rooms.size(), 0.0);
     roomTruths_.assign(placement_.rooms.size(), 0.0);
+    const std::string trial = settings_.shared != nullptr ? ContentHash().add(sceneText(scene, "/")).text() : "";
     for (const Eye& eye : eyes_) {
-      shown_.show(scene, loaded_.models, {eye.camera});
-      if (!shown_.capture([&](double) { return report(from); })) return std::nullopt;
-      const ImageRgbaF picture = shown_.renderer().renderLinear(kWidth, kHeight, 4);
-      shown_.requireHealthy();
+      const auto seen = pictureOf(eye, scene, trial, from);
+      if (!seen) return std::nullopt;
+      const ImageRgbaF& picture = *seen;
       for (std::size_t i = 0; i < eye.weights.size(); ++i) {
         const double weight = eye.weights[i];
         if (!(weight > 0.0) || noisy(eye, i)) continue;
@@ -213,6 +225,20 @@ class Checker {
     if (glossyTruths > 0.0) errors.glossy = std::sqrt(std::max(glossy, 0.0) / glossyTruths);
     if (truthSum > 0.0) errors.light = sum / truthSum;
     return errors;
+  }
+
+  /// Nothing if it was stopped. `trial`: fingerprint of the scene, if pictures are shared.
+  std::optional<ImageRgbaF> pictureOf(const Eye& eye, const Scene& scene, const std::string& trial, double done) {
+    const std::string name = "eye-" + std::to_string(eye.number + 1) + "-" + trial.substr(0, 16);
+    if (settings_.shared != nullptr) {
+      if (auto known = settings_.shared->findPicture(name)) return known;
+    }
+    shown_.show(scene, loaded_.models, {eye.camera});
+    if (!shown_.capture([&](double) { return report(done); })) return std::nullopt;
+    ImageRgbaF picture = shown_.renderer().renderLinear(kWidth, kHeight, 4);
+    shown_.requireHealthy();
+    if (settings_.shared != nullptr) settings_.shared->keepPicture(name, picture);
+    return picture;
   }
 
   bool choose() {

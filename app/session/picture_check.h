@@ -13,6 +13,8 @@
 
 namespace boxprobe {
 
+class SharedWork;
+
 /// Over the surfaces that the eyes see, without lamps. Errors are root mean squares over those of the truth, with the
 /// truth's noise taken off, all light above five times the mean counted as that.
 struct PictureErrors {
@@ -48,6 +50,9 @@ struct PictureCheck {
 struct PictureCheckSettings {
   bool views = false;  ///< makes PictureCheck::views, 96 by 54 pixels, for those who review what is proposed
   int paths = 96;      ///< per pixel of the truth that is measured against; half as many for the views
+  /// Takes over pictures that other processes made, and keeps its own. One that is sharing() looks from its share of
+  /// the eyes alone: what it finds is no result.
+  const SharedWork* shared = nullptr;
 };
 
 /// Tries `placement`, the same with more bounces and without the probes of parts of rooms, one box around all rooms,

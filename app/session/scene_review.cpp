@@ -7,6 +7,7 @@
 
 #include "app/session/automatic_exposure.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/shared_work.h"
 #include "filters/fit/fit_probe.h"
 #include "filters/reference/bench/bench_surfaces.h"
 #include "filters/reference/path/reference_path.h"
@@ -23,13 +24,82 @@ std::string nameOf(const LoadedScene& loaded) {
   return sceneName(path);
 }
 
+std::vector<Camera> camerasOf(const Scene& scene, const ReviewSettings& settings) {
+  std::vector<Camera> cameras = settings.cameras.empty() ? scene.cameras : settings.cameras;
+  if (cameras.empty()) cameras.emplace_back();
+  return cameras;
+}
+
+// Small enough to be shared evenly, high enough that starting one costs nothing.
+constexpr int kBandRows = 16;
+
+int bandsOf(const ReviewSettings& settings) {
+  return (settings.height + kBandRows - 1) / kBandRows;
+}
+
+PathSettings pathsOf(const ReviewSettings& settings) {
+  PathSettings traced;
+  traced.width = settings.width;
+  traced.height = settings.height;
+  traced.raysPerPixel = settings.paths;
+  traced.seed = settings.seed;
+  return traced;
+}
+
+/// Rows kBandRows * `band` and on, nothing else: as another process kept them, or traced here and kept.
+ReferencePicture tracedBand(const ReferencePath& path, const Camera& camera, std::size_t number, int band,
+                            const ReviewSettings& settings, const std::function<bool(double)>& progress) {
+  const std::string name = "camera-" + std::to_string(number + 1) + "-band-" + std::to_string(band + 1);
+  if (auto known = settings.shared->findTraced(name)) return *std::move(known);
+  PathSettings traced = pathsOf(settings);
+  traced.part = {0, kBandRows * band, settings.width, std::min(kBandRows * (band + 1), settings.height)};
+  const ReferencePicture picture = path.render(camera, traced, progress);
+  const auto row = 4 * static_cast<std::ptrdiff_t>(settings.width);
+  ReferencePicture rows{{settings.width, traced.part.bottom - traced.part.top, {}}, {}, picture.complete};
+  rows.standardError = rows.color;
+  for (ImageRgbaF ReferencePicture::*image : {&ReferencePicture::color, &ReferencePicture::standardError}) {
+    const std::vector<float>& from = (picture.*image).pixels;
+    (rows.*image).pixels.assign(from.begin() + traced.part.top * row, from.begin() + traced.part.bottom * row);
+  }
+  if (rows.complete) settings.shared->keepTraced(name, rows);
+  return rows;
+}
+
+/// The whole picture, by bands where several processes share it.
+ReferencePicture tracedPicture(const ReferencePath& path, const Camera& camera, std::size_t number,
+                               const ReviewSettings& settings, const std::function<bool(double)>& progress) {
+  if (settings.shared == nullptr) return path.render(camera, pathsOf(settings), progress);
+  ReferencePicture picture{{settings.width, settings.height, {}}, {settings.width, settings.height, {}}, true};
+  for (int band = 0; band < bandsOf(settings); ++band) {
+    const ReferencePicture rows = tracedBand(path, camera, number, band, settings,
+                                             [&](double done) { return progress((band + done) / bandsOf(settings)); });
+    picture.complete = rows.complete;
+    if (!rows.complete) return picture;
+    for (ImageRgbaF ReferencePicture::*image : {&ReferencePicture::color, &ReferencePicture::standardError}) {
+      (picture.*image)
+          .pixels.insert((picture.*image).pixels.end(), (rows.*image).pixels.begin(), (rows.*image).pixels.end());
+    }
+  }
+  return picture;
+}
+
+std::optional<BoxFit> fitOf(ProbeFitter& fitter, const Probe& probe, std::size_t number, const ReviewSettings& settings,
+                            const FitProgress& progress) {
+  const std::string name = "fit-" + std::to_string(number + 1);
+  if (settings.shared != nullptr) {
+    if (auto known = settings.shared->find(name, probe)) return known;
+  }
+  std::optional<BoxFit> fit = fitter.fit(probe, {}, progress);
+  if (fit && settings.shared != nullptr) settings.shared->keep(name, *fit);
+  return fit;
+}
+
 class Reviewer {
  public:
   Reviewer(LoadedScene loaded, OffscreenScene& shown, const ReviewSettings& settings,
            const std::function<bool(double)>& progress)
       : loaded_(std::move(loaded)), shown_(shown), settings_(settings), progress_(progress) {
-    if (settings_.cameras.empty()) settings_.cameras = loaded_.scene.cameras;
-    if (settings_.cameras.empty()) settings_.cameras.emplace_back();
+    settings_.cameras = camerasOf(loaded_.scene, settings_);
     // One renderer may have shown other scenes before.
     facesBefore_ = facesCaptured();
     secondsBefore_ = captureSeconds();
@@ -68,12 +138,8 @@ class Reviewer {
       const double from = kCapturing + each * static_cast<double>(review_.cameras.size());
       ReviewedCamera row;
       row.camera = camera;
-      PathSettings traced;
-      traced.width = settings_.width;
-      traced.height = settings_.height;
-      traced.raysPerPixel = settings_.paths;
-      traced.seed = settings_.seed;
-      row.truth = path.render(camera, traced, [&](double done) { return report(from + each * done); });
+      row.truth = tracedPicture(path, camera, review_.cameras.size(), settings_,
+                                [&](double done) { return report(from + each * done); });
       if (!row.truth.complete) return false;
       shown_.show(loaded_.scene, loaded_.models, {camera});
       if (!capture(from + each)) return false;
@@ -85,7 +151,7 @@ class Reviewer {
       review_.cameras.push_back(std::move(row));
     }
     review_.faces = facesCaptured() - facesBefore_;
-    review_.captureCpuSeconds = captureSeconds() - secondsBefore_;
+    if (settings_.shared == nullptr) review_.captureCpuSeconds = captureSeconds() - secondsBefore_;
     return true;
   }
 
@@ -113,7 +179,7 @@ class Reviewer {
         if (use.name == row.probe.name) row.bytes = use.bytes, row.objects = use.objects;
       }
       if (row.probe.mode != ProbeMode::Custom) {
-        row.fit = fitter.fit(row.probe, {}, [&](double done) {
+        row.fit = fitOf(fitter, row.probe, i, settings_, [&](double done) {
           return report(1.0 - kFitting +
                         kFitting * (static_cast<double>(i) + done) / static_cast<double>(probes.size()));
         });
@@ -147,6 +213,38 @@ double SceneReview::worstError() const {
 std::optional<SceneReview> reviewScene(LoadedScene loaded, OffscreenScene& shown, const ReviewSettings& settings,
                                        const std::function<bool(double)>& progress) {
   return Reviewer(std::move(loaded), shown, settings, progress).review();
+}
+
+bool reviewShare(const LoadedScene& loaded, const ReviewSettings& settings,
+                 const std::function<bool(double)>& progress) {
+  const std::vector<Camera> cameras = camerasOf(loaded.scene, settings);
+  const std::vector<Probe>& probes = loaded.scene.probes;
+  constexpr double kTracing = 0.8;
+  const auto report = [&](double done) { return !progress || progress(done); };
+  {
+    const ReferencePath path(loaded.scene, loaded.models, loadSkyImage(loaded.scene));
+    const auto bands = static_cast<std::size_t>(bandsOf(settings));
+    for (std::size_t piece = 0; piece < cameras.size() * bands; ++piece) {
+      if (!settings.shared->mine(piece)) continue;
+      const auto onward = [&](double done) {
+        return report(kTracing * (static_cast<double>(piece) + done) / static_cast<double>(cameras.size() * bands));
+      };
+      const std::size_t camera = piece / bands;
+      if (!tracedBand(path, cameras[camera], camera, static_cast<int>(piece % bands), settings, onward).complete) {
+        return false;
+      }
+    }
+  }
+  std::optional<ProbeFitter> fitter;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (probes[i].mode == ProbeMode::Custom || !settings.shared->mine(i)) continue;
+    if (!fitter) fitter.emplace(loaded.scene, loaded.models);
+    const auto onward = [&](double done) {
+      return report(kTracing + (1.0 - kTracing) * (static_cast<double>(i) + done) / static_cast<double>(probes.size()));
+    };
+    if (!fitOf(*fitter, probes[i], i, settings, onward)) return false;
+  }
+  return true;
 }
 
 }  // namespace boxprobe

@@ -16,6 +16,7 @@
 namespace boxprobe {
 
 class OffscreenScene;
+class SharedWork;
 
 struct ReviewSettings {
   int width = 640, height = 360;
@@ -23,6 +24,8 @@ struct ReviewSettings {
   int samplesPerPixel = 16;     ///< of the drawn ones
   std::uint64_t seed = 1;       ///< of the paths
   std::vector<Camera> cameras;  ///< empty: every camera of the scene, or the default one where it has none
+  /// Takes over traced pictures and fits that other processes made.
+  const SharedWork* shared = nullptr;
 };
 
 struct ReviewedCamera {
@@ -47,9 +50,10 @@ struct SceneReview {
   std::vector<ReviewedCamera> cameras;
   std::vector<ReviewedProbe> probes;
   std::size_t triangles = 0;
-  std::uint64_t faces = 0;         ///< captured
-  double captureCpuSeconds = 0.0;  ///< capturing and filtering of all of them, all threads
-  std::string rendererName;        ///< OpenGL's
+  std::uint64_t faces = 0;  ///< captured
+  /// Capturing and filtering of all of them, all threads; nothing where pages of several runs are to be the same.
+  std::optional<double> captureCpuSeconds;
+  std::string rendererName;  ///< OpenGL's
   std::vector<std::string> remarks;
 
   /// The largest relative RMSE of a camera.
@@ -60,5 +64,10 @@ struct SceneReview {
 /// bare model is found from the first camera. Throws WorkError and InputError as OffscreenScene does.
 std::optional<SceneReview> reviewScene(LoadedScene loaded, OffscreenScene& shown, const ReviewSettings& settings,
                                        const std::function<bool(double)>& progress);
+
+/// Makes and keeps the share of `settings.shared` of the traced pictures, as rows of each, and of the fits; draws
+/// nothing. `cameras` as in the settings. False if `progress` stopped it.
+bool reviewShare(const LoadedScene& loaded, const ReviewSettings& settings,
+                 const std::function<bool(double)>& progress);
 
 }  // namespace boxprobe

@@ -125,9 +125,8 @@ std::string probesHtml(const SceneReview& review) {
       "scope=\"col\">Cost</th></tr></thead><tbody>\n";
   for (const ReviewedProbe& row : review.probes) text += probeHtml(row);
   return text + "</tbody></table></div>\n<p>" +
-         line("%llu faces captured and filtered in %.1f s of CPU time.", static_cast<unsigned long long>(review.faces),
-              review.captureCpuSeconds) +
-         "</p>\n";
+         line("%llu faces captured and filtered", static_cast<unsigned long long>(review.faces)) +
+         (review.captureCpuSeconds ? line(" in %.1f s of CPU time", *review.captureCpuSeconds) : "") + ".</p>\n";
 }
 
 std::string skyText(const Sky& sky) {

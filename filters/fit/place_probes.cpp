@@ -98,25 +98,65 @@ class Placer {
 
   std::optional<Placement> place() {
     const Clock::time_point begun = Clock::now();
-    RoomSettings wanted{settings_.inverted};
-    const auto inBacks = [&](const glm::dvec3& at) { return amongBacks(captured(), at); };
-    for (const Camera& camera : scene_.cameras) wanted.inverted = wanted.inverted || inBacks(camera.position);
-    for (const Probe& probe : scene_.probes) wanted.inverted = wanted.inverted || inBacks(probe.origin);
-    std::optional<Rooms> rooms = findRooms(captured(), wanted, part(0.0, 0.25));
-    if (!rooms) return std::nullopt;
-    rooms_ = *std::move(rooms);
-    roomFits_.emplace(fitter_, rooms_, settings_.rays);
-    roomOf_ = roomOfCells(rooms_);
-    describeRooms();
-    placement_.roomSeconds = secondsSince(begun);
-    if (settings_.keep && !rooms_.rooms.empty()) keepProbes();
+    if (!findAll(begun)) return std::nullopt;
     if (!placeInRooms() || !placeInParts() || !judge()) return std::nullopt;
     finish();
     placement_.seconds = secondsSince(begun);
     return std::move(placement_);
   }
 
+  bool fitShare() {
+    if (!findAll(Clock::now())) return false;
+    std::size_t fits = 0;
+    for (std::size_t i = 0; i < rooms_.rooms.size(); ++i) {
+      const double from = 0.25 + 0.75 * static_cast<double>(i) / roomCount();
+      if (holds(i)) continue;
+      const std::vector<std::size_t>& cells = rooms_.rooms[i].cells;
+      const Probe about = roomFits_->start(cells);
+      if (!reflects(rooms_.rooms[i], reflectedRays(fitter_.placeOf(about), about, kScoreRays, kScoreTurn))) continue;
+      if (placement_.kept.size() + fits >= settings_.most) break;
+      if (settings_.shared->mine(fits++) && !fitOf(roomFit(i), cells, part(from, from + 0.75 / roomCount()))) {
+        return false;
+      }
+      if (!part(from, from)(0.0)) return false;
+    }
+    return true;
+  }
+
  private:
+  bool findAll(const Clock::time_point& begun) {
+    RoomSettings wanted{settings_.inverted};
+    const auto inBacks = [&](const glm::dvec3& at) { return amongBacks(captured(), at); };
+    for (const Camera& camera : scene_.cameras) wanted.inverted = wanted.inverted || inBacks(camera.position);
+    for (const Probe& probe : scene_.probes) wanted.inverted = wanted.inverted || inBacks(probe.origin);
+    std::optional<Rooms> rooms = findRooms(captured(), wanted, part(0.0, 0.25));
+    if (!rooms) return false;
+    rooms_ = *std::move(rooms);
+    roomFits_.emplace(fitter_, rooms_, settings_.rays);
+    roomOf_ = roomOfCells(rooms_);
+    describeRooms();
+    placement_.roomSeconds = secondsSince(begun);
+    if (settings_.keep && !rooms_.rooms.empty()) keepProbes();
+    return true;
+  }
+
+  static std::string roomFit(std::size_t room) { return "room-" + std::to_string(room + 1); }
+
+  /// One that another process made is the same.
+  std::optional<BoxFit> fitOf(const std::string& name, const std::vector<std::size_t>& cells,
+                              const FitProgress& progress) const {
+    if (settings_.shared == nullptr) return roomFits_->fit(cells, progress);
+    std::optional<BoxFit> fit = settings_.shared->find(name, roomFits_->start(cells));
+    if (fit) return fit;
+    fit = roomFits_->fit(cells, progress);
+    if (fit) settings_.shared->keep(name, *fit);
+    return fit;
+  }
+
+  static bool reflects(const Room& room, const ReflectedRays& rays) {
+    return room.roofed >= kRoofed || glossOf(rays) >= kLeastGloss;
+  }
+
   FitProgress part(double from, double to) const {
     return [this, from, to](double done) { return !progress_ || progress_(from + (to - from) * done); };
   }
@@ -195,7 +235,7 @@ class Placer {
       rays_.push_back(reflectedRays(fitter_.placeOf(about), about, kScoreRays, kScoreTurn));
       if (!part(from, from)(0.0)) return false;
       if (holds(i)) continue;
-      placed.reflects = rooms_.rooms[i].roofed >= kRoofed || glossOf(rays_.back()) >= kLeastGloss;
+      placed.reflects = reflects(rooms_.rooms[i], rays_.back());
       if (!placed.reflects) {
         placed.decisions.push_back("left out: it has no ceiling, and no surface in it is smoother than roughness 0.6");
         continue;
@@ -204,7 +244,7 @@ class Placer {
         placed.decisions.push_back(sentence("left out: no more than %zu probes were asked for", settings_.most));
         continue;
       }
-      const std::optional<BoxFit> fit = roomFits_->fit(rooms_.rooms[i].cells, part(from, from + 0.4 / roomCount()));
+      const std::optional<BoxFit> fit = fitOf(roomFit(i), rooms_.rooms[i].cells, part(from, from + 0.4 / roomCount()));
       if (!fit) return false;
       placement_.probes.push_back({fit->probe, i, false, 0.0, *fit});
     }
@@ -262,7 +302,8 @@ class Placer {
     std::vector<PlacedProbe> candidates;
     const std::vector<std::vector<std::size_t>> parts = partsOf(rooms_.rooms[room]);
     for (const std::vector<std::size_t>& cells : parts) {
-      const std::optional<BoxFit> fit = roomFits_->fit(cells, part(from, from));
+      const std::string name = roomFit(room) + "-part-" + std::to_string(candidates.size() + 1);
+      const std::optional<BoxFit> fit = fitOf(name, cells, part(from, from));
       if (!fit) return false;
       PlacedProbe candidate{fit->probe, room, true, 0.0, *fit};
       keepApart(rooms_, room, candidate.probe);
@@ -498,6 +539,11 @@ std::optional<Placement> placeProbes(const Scene& scene, const TriangleRays::Mod
     return !progress || progress(furthest);
   };
   return Placer(scene, models, settings, onward).place();
+}
+
+bool fitSharedRooms(const Scene& scene, const TriangleRays::Models& models, const PlaceSettings& settings,
+                    const FitProgress& progress) {
+  return Placer(scene, models, settings, progress).fitShare();
 }
 
 }  // namespace boxprobe

@@ -7,6 +7,7 @@
 #include "filters/fit/lit_errors.h"
 #include "filters/fit/placed_probe.h"
 #include "filters/fit/rooms/find_rooms.h"
+#include "filters/fit/shared_fits.h"
 
 namespace boxprobe {
 
@@ -16,6 +17,7 @@ struct PlaceSettings {
   bool keep = false;        ///< keep the scene's probes; rooms that contain one get no other
   bool inverted = false;    ///< allow back faces as walls, even if no camera is among them
   int rays = 4096;          ///< per fit
+  const SharedFits* shared = nullptr;  ///< takes over fits that other processes made; null: all are made here
 };
 
 /// A room in the report.
@@ -60,5 +62,10 @@ void nameProbes(Placement& placement);
 /// it. Throws WorkError if the ray tracer cannot take the models.
 std::optional<Placement> placeProbes(const Scene& scene, const TriangleRays::Models& models,
                                      const PlaceSettings& settings = {}, const FitProgress& progress = {});
+
+/// Makes and keeps this process's share of the rooms' fits, `settings.shared` says which, and nothing else. False if
+/// `progress` stopped it. Throws as placeProbes() does.
+bool fitSharedRooms(const Scene& scene, const TriangleRays::Models& models, const PlaceSettings& settings,
+                    const FitProgress& progress = {});
 
 }  // namespace boxprobe

@@ -169,6 +169,22 @@ TEST(Export, OneFileHoldsTheSceneAndOpensAsItWasBaked) {
   EXPECT_THAT(refused.err, AllOf(HasSubstr("seven.glb"), HasSubstr("version")));
 }
 
+// A folder as the output means NAME.glb in it, which may be the model that the scene reads.
+TEST(Export, AGlbNeverTakesThePlaceOfItsModel) {
+  const TemporaryFolder folder;
+  const std::string model = readFile(std::string(BOXPROBE_DATA_DIR) + "/scenes/room.glb");
+  folder.write("room.glb", model);
+  Json scene = Json::parse(readFile(demoScene("room")));
+  scene["model"] = "room.glb";
+  const std::string path = folder.write("room.boxprobe.json", scene.dump());
+  for (const std::string& out : {folder.path(""), folder.path("room.glb")}) {
+    const Outcome refused = runProgram({"export", path, "-o", out, "--format", "glb", "--size", "16"});
+    EXPECT_EQ(refused.exitStatus, 2) << out;
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("room.glb"), HasSubstr("this is the input")));
+    EXPECT_EQ(readFile(folder.path("room.glb")), model);
+  }
+}
+
 /// The JSON chunk of a .glb; null while there is none.
 Json glbJson(const std::string& path) {
   if (!std::filesystem::exists(path)) return nullptr;

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "data/scenes/glb_writer.h"
@@ -52,6 +55,45 @@ TEST(Place, FindsEveryApartmentAndIsNoWorseThanProbesSetByHand) {
   const json kept = placed({folder.path("placed.boxprobe.json"), "--keep"});
   EXPECT_EQ(kept["probes"].size(), 0u);
   EXPECT_EQ(kept["kept"].size(), report["probes"].size());
+}
+
+// A share that was never run, a result that was damaged and the results of other wishes: the scene is that of one
+// process, byte for byte.
+TEST(Place, SharesMakeTheSceneOfOneProcess) {
+  const TemporaryFolder folder;
+  scenes::Apartments made = scenes::apartments(4, 1);
+  made.scene.models = {{folder.write("apartments.glb", scenes::glbBytes(made.model))}};
+  saveSceneFile(made.scene, folder.path("apartments.boxprobe.json"));
+  const auto run = [&](const std::string& out, std::vector<std::string> more) {
+    more.insert(more.begin(), {folder.path("apartments.boxprobe.json"), "-o", folder.path(out)});
+    return place(std::move(more));
+  };
+  ASSERT_EQ(run("whole.boxprobe.json", {}).exitStatus, 0);
+  const std::string out = "shared.boxprobe.json", parts = folder.path(out + ".parts");
+  ASSERT_EQ(run(out, {"--shard", "1/3", "--fits-only", "--most", "1"}).exitStatus, 0);
+  EXPECT_THAT(run(out, {"--shard", "1/3", "--fits-only"}).out, HasSubstr("share 1 of 3: 2 result(s) kept"));
+  EXPECT_THAT(run(out, {"--shard", "1/3", "--fits-only"}).out, HasSubstr("share 1 of 3: 0 result(s) kept"));
+  EXPECT_THAT(run(out, {"--shard", "2/3", "--fits-only"}).out, HasSubstr("share 2 of 3: 2 result(s) kept"));
+  std::size_t damaged = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(parts)) {
+    std::string bytes = readFile(entry.path());
+    const std::size_t at = bytes.find("\"box\":[[");
+    if (damaged++ == 0 && at != std::string::npos) std::ofstream(entry.path()) << bytes.replace(at + 8, 1, "9");
+  }
+  EXPECT_EQ(damaged, 5u) << "four, and one of other wishes";
+  EXPECT_FALSE(std::filesystem::exists(folder.path(out)));
+  const Outcome merged = run(out, {"--merge"});
+  ASSERT_EQ(merged.exitStatus, 0) << merged.err;
+  EXPECT_EQ(readFile(folder.path(out)), readFile(folder.path("whole.boxprobe.json")));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(parts), {}), 1) << "of other wishes";
+
+  const Outcome nowhere = place({folder.path("apartments.boxprobe.json"), "--shard", "1/2"});
+  EXPECT_EQ(nowhere.exitStatus, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("add -o FILE"));
+  const Outcome script = run(out, {"--emit", "slurm", "--shards", "3", "--most", "7"});
+  EXPECT_THAT(script.out, HasSubstr("--array=1-3 "));
+  EXPECT_THAT(script.out, HasSubstr("--most 7 --unchecked --quiet --fits-only --shard auto"));
+  EXPECT_THAT(script.out, HasSubstr("--most 7 --unchecked --merge"));
 }
 
 TEST(Place, TakesABareFlatInCentimetresOnALargePlain) {

@@ -116,6 +116,30 @@ TEST(Report, IsOneFileThatShowsWhatRenderDrawsAndWhatBenchMeasures) {
   EXPECT_GT(map[1] / mapped[1], 3.0 * map[0] / mapped[0]) << "the error map is bright where the pictures differ";
 }
 
+TEST(Report, SharesMakeThePageOfOneProcess) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {
+        demoScene("room"), "-o", folder.path("page.html"), "--camera", "main", "--size", "64x36", "--rays", "8"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return report(arguments);
+  };
+  ASSERT_EQ(run({"--quiet"}).exitStatus, 0);
+  std::string whole = readFile(folder.path("page.html"));
+  // 36 rows are three bands, and the room has one probe; the third share, killed, has kept nothing.
+  EXPECT_THAT(run({"--shard", "1/3"}).out, HasSubstr("share 1 of 3: 2 result(s) kept"));
+  EXPECT_THAT(run({"--shard", "2/3"}).out, HasSubstr("share 2 of 3: 1 result(s) kept"));
+  EXPECT_THAT(run({"--shard", "2/3"}).out, HasSubstr("share 2 of 3: 0 result(s) kept"));
+  EXPECT_EQ(readFile(folder.path("page.html")), whole) << "shares write no page";
+  const Outcome merged = run({"--merge", "--quiet"});
+  ASSERT_EQ(merged.exitStatus, 0) << merged.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"page.html"});
+  // Seconds are of the process that captured.
+  const std::size_t from = whole.find(" faces captured and filtered") + 28, to = whole.find(" of CPU time", from) + 12;
+  ASSERT_LT(to - from, 24u);
+  EXPECT_EQ(readFile(folder.path("page.html")), whole.erase(from, to - from));
+}
+
 TEST(Report, FailsAboveALimitWithTheFileWritten) {
   const TemporaryFolder folder;
   const std::string page = folder.path("report.htm");

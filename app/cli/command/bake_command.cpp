@@ -28,6 +28,7 @@
 #include "filters/io/files/atomic_file.h"
 #include "filters/platform/heap.h"
 #include "filters/platform/name_pattern.h"
+#include "filters/platform/process.h"
 
 namespace boxprobe {
 
@@ -166,23 +167,27 @@ bool reportOnly(const BakeOptions& options, const std::vector<Probe>& probes, La
 std::string scriptOf(const BakeOptions& options, const std::vector<Probe>& probes, const std::string& folder) {
   namespace fs = std::filesystem;
   constexpr std::size_t kMostShards = 64;
-  FarmBake bake;
-  std::error_code none;
-  const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  bake.program = none ? "boxprobe" : program.string();
-  bake.scene = fs::absolute(options.scenePath).string();
-  bake.folder = fs::absolute(folder).string();
-  const auto pass = [&bake](const char* option, const std::vector<std::string>& values) {
-    for (const std::string& value : values) bake.options.insert(bake.options.end(), {option, value});
+  FarmWork work;
+  work.program = programPath().empty() ? "boxprobe" : programPath();
+  work.name = "bake";
+  work.step = "bounce";
+  work.words = {"bake", fs::absolute(options.scenePath).string(), "-o", fs::absolute(folder).string()};
+  const auto pass = [&work](const char* option, const std::vector<std::string>& values) {
+    for (const std::string& value : values) work.words.insert(work.words.end(), {option, value});
   };
   pass("--only", options.patterns);
   pass("--probe", options.probes);
   pass("--set", options.assignments);
-  if (options.mixed) bake.options.emplace_back("--mixed");
-  for (const Probe& probe : probes) bake.bounces = std::max(bake.bounces, probe.bounces);
-  bake.shares = options.shards > 0 ? options.shards : static_cast<int>(std::min(probes.size(), kMostShards));
-  bake.shares = std::max(bake.shares, 1);
-  return farmScript(options.script, bake);
+  if (options.mixed) work.words.emplace_back("--mixed");
+  int bounces = 1;
+  for (const Probe& probe : probes) bounces = std::max(bounces, probe.bounces);
+  if (bounces > 1) work.steps.clear();
+  for (int bounce = 1; bounces > 1 && bounce <= bounces; ++bounce) {
+    work.steps.push_back({"--bounce", std::to_string(bounce)});
+  }
+  work.shares = options.shards > 0 ? options.shards : static_cast<int>(std::min(probes.size(), kMostShards));
+  work.shares = std::max(work.shares, 1);
+  return farmScript(options.script, work);
 }
 
 void runBake(const BakeOptions& options) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/farm/farm_options.h"
 #include "app/cli/options/render_options.h"
 #include "app/cli/report/place_report.h"
 #include "app/session/interrupt.h"
@@ -16,9 +17,11 @@
 #include "app/session/scene_work.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/number_text.h"
 #include "filters/fit/place_probes.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/scene/scene_file.h"
+#include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
 
@@ -28,7 +31,8 @@ struct PlaceCommandOptions {
   std::string scenePath, outputPath;
   int most = 64;
   double gainPercent = 2.0;
-  bool keep = false, unchecked = false;
+  bool keep = false, unchecked = false, fitsOnly = false;
+  FarmOptions farm;
   FitOptions fit;
   std::vector<std::string> assignments;
   ReportOptions report;
@@ -36,16 +40,20 @@ struct PlaceCommandOptions {
 
 /// The pictures of what was placed, compared; nothing if that is not wanted, or there is nothing to draw with.
 std::optional<PictureCheck> compared(const PlaceCommandOptions& options, const LoadedScene& loaded,
-                                     Placement& placement, const InterruptGuard& interrupt, RunStats& stats) {
+                                     const SharedWork* shared, Placement& placement, const InterruptGuard& interrupt,
+                                     RunStats& stats) {
   if (options.unchecked || placement.rooms.empty()) return std::nullopt;
   std::optional<PictureCheck> check;
+  PictureCheckSettings settings;
+  settings.shared = shared;
   ProgressLine line("comparing pictures", !options.report.quiet);
   try {
     OffscreenScene shown({"boxprobe place", 16, 16, 1, options.report.quiet, false, options.report.offscreen, true});
-    check = checkPictures(loaded, placement, shown, [&](double done) {
+    const auto progress = [&](double done) {
       line.show(done);
       return !interrupt.interrupted();
-    });
+    };
+    check = checkPictures(loaded, placement, shown, progress, settings);
     stats = collectStats(shown.renderer(), shown.window());
   } catch (const InputError& error) {
     if (!options.report.quiet) printWarnings({std::string("pictures were not compared: ") + error.what()});
@@ -56,12 +64,42 @@ std::optional<PictureCheck> compared(const PlaceCommandOptions& options, const L
   return check;
 }
 
+/// Of all that fits and pictures depend on.
+std::string placeKey(const LoadedScene& loaded, const PlaceSettings& settings) {
+  ContentHash hash;
+  hash.add("place").add(loadedSceneKey(loaded)).add(static_cast<double>(settings.most)).add(settings.leastGain);
+  hash.add(settings.keep ? 1.0 : 0.0).add(settings.inverted ? 1.0 : 0.0).add(settings.rays);
+  return hash.text();
+}
+
+std::string scriptOf(const PlaceCommandOptions& options) {
+  FarmWork work;
+  work.name = "place";
+  if (options.outputPath.empty()) throw InputError("--emit: add -o FILE, which the script's last command writes");
+  work.words = {"place", farmPath(options.scenePath), "-o", farmPath(options.outputPath)};
+  const auto add = [&work](const std::string& option, const std::string& value) {
+    if (!value.empty()) work.words.insert(work.words.end(), {option, value});
+  };
+  const PlaceCommandOptions usual;
+  if (options.most != usual.most) add("--most", std::to_string(options.most));
+  if (options.gainPercent != usual.gainPercent) add("--gain", numberText(options.gainPercent));
+  for (const std::string& assignment : options.assignments) add("--set", assignment);
+  add("--as", options.fit.kind);
+  add("--light", options.fit.light);
+  if (options.keep) work.words.emplace_back("--keep");
+  if (options.unchecked) work.words.emplace_back("--unchecked");
+  work.steps = {{"--fits-only"}};
+  if (!options.unchecked) work.steps.emplace_back();  // pictures from the rooms, which want all fits
+  return farmScript(options.farm, work);
+}
+
 void runPlace(const PlaceCommandOptions& options) {
   if (!options.outputPath.empty()) {
     requireExtension("-o", options.outputPath, {".json"});
     requireWritable("-o", options.outputPath);
   }
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  if (!options.farm.script.empty()) return printDocument(scriptOf(options));
   const InterruptGuard interrupt;
   const FitWishes wishes = parseFitWishes(options.fit, FitWishes{}.aspect);
   LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet, wishes);
@@ -72,20 +110,32 @@ void runPlace(const PlaceCommandOptions& options) {
   settings.leastGain = 0.01 * options.gainPercent;
   settings.keep = options.keep && !loaded.fit;  // a bare model's probe is nobody's own
   settings.inverted = wishes.kind && *wishes.kind != ModelKind::Object;
+  const auto shared = sharedWork(options.farm, options.outputPath, placeKey(loaded, settings));
+  const bool sharing = shared && shared->sharing();
+  settings.shared = shared.get();
   std::optional<Placement> placement;
   {
     ProgressLine line("placing", !options.report.quiet);
-    placement = placeProbes(loaded.scene, loaded.models, settings, [&](double done) {
+    const auto progress = [&](double done) {
       line.show(done);
       return !interrupt.interrupted();
-    });
+    };
+    if (sharing) fitSharedRooms(loaded.scene, loaded.models, settings, progress);
+    if (!options.fitsOnly) placement = placeProbes(loaded.scene, loaded.models, settings, progress);
   }
   interrupt.check();
   RunStats stats;
-  const std::optional<PictureCheck> pictures = compared(options, loaded, *placement, interrupt, stats);
+  std::optional<PictureCheck> pictures;
+  if (placement) pictures = compared(options, loaded, shared.get(), *placement, interrupt, stats);
+  if (sharing) {
+    if (!options.report.quiet) printResult(shareText(*shared));
+    if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
+    return;
+  }
   const PictureCheck* shown = pictures ? &*pictures : nullptr;
   loaded.scene.probes = placement->all();
   if (!options.outputPath.empty()) saveSceneFile(loaded.scene, options.outputPath);
+  if (shared) shared->remove();
   if (options.report.json) {
     printDocument(placeJson(*placement, shown).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
                   "\n");
@@ -120,6 +170,10 @@ Subcommand addPlaceCommand(CLI::App& program) {
                     "Keep the scene's probes, and place others only in rooms without one (default: replace them)");
   command->add_flag("--unchecked", options->unchecked,
                     "Do not compare pictures with the path tracer's: what was placed is proposed as it is");
+  addFarmOptions(*command, options->farm);
+  command
+      ->add_flag("--fits-only", options->fitsOnly, "With --shard: make this share's fits and compare no pictures yet")
+      ->needs("--shard");
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
@@ -128,6 +182,7 @@ Subcommand addPlaceCommand(CLI::App& program) {
   addOffscreenOption(*command, options->report);
   addReportOptions(*command, options->report, "Print rooms, probes and decisions as JSON");
   command->footer(
+      "Many processes: --emit, or --shard I/N in each of them, first all with --fits-only, and --merge at the end.\n"
       "Examples:\n"
       "  boxprobe place flat.glb -o flat.boxprobe.json\n"
       "  boxprobe place data/scenes/building.boxprobe.json --most 4 --gain 5 --json");

@@ -21,6 +21,7 @@
 #include "app/session/progress_line.h"
 #include "app/session/reference_box_picture.h"
 #include "app/session/scene_work.h"
+#include "app/session/shared_work.h"
 #include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
@@ -34,7 +35,6 @@
 #include "filters/reference/path/reference_path.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/maps/content_hash.h"
-#include "filters/vtk/probes/capture_key.h"
 
 namespace boxprobe {
 
@@ -209,17 +209,9 @@ std::string referenceJson(const RenderOptions& options, const Scene& scene, cons
 /// What a traced picture depends on: bands with the same key are of the same picture.
 std::string pictureKey(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options) {
   ContentHash hash;
-  hash.add(BOXPROBE_VERSION).add(sceneText(loaded.scene, "/")).add(camera.name).add(options.size);
+  hash.add(loadedSceneKey(loaded)).add(camera.name).add(options.size);
   hash.add(options.samples).add(options.rays).add(options.full ? 1.0 : 0.0);
   if (options.technique == kPath) hash.add(kPath).add(bouncesText(bouncesOf(options, loaded.scene)));
-  for (const std::string& object : objectContentKeys(loaded.models, loaded.models.size())) hash.add(object);
-  // Where they stand, and what the scene's overrides call them.
-  for (const auto& model : loaded.models) {
-    for (const Instance& instance : model->instances) {
-      hash.add(instance.node).addBytes(&instance.worldFromModel, sizeof instance.worldFromModel);
-    }
-  }
-  if (const auto sky = loadSkyImage(loaded.scene)) hash.add(imageContentKey(*sky));
   return hash.text().substr(0, 16);
 }
 

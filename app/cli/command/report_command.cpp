@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cli/command/short_run.h"
+#include "app/cli/farm/farm_options.h"
 #include "app/cli/farm/farm_script.h"
 #include "app/cli/options/render_options.h"
 #include "app/cli/report/fit_report.h"
@@ -26,6 +27,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/platform/heap.h"
+#include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
 
@@ -39,28 +41,46 @@ struct ReportCommandOptions {
   std::optional<int> rays;
   std::uint64_t seed = 1;
   bool quick = false;
+  FarmOptions farm;
   FitOptions fit;
   ReportOptions report;
 };
 
-std::string commandOf(const ReportCommandOptions& options) {
-  std::string text = "boxprobe report";
-  for (const std::string& path : options.scenePaths) text += " " + shellWord(path);
-  const auto add = [&text](const char* option, const std::string& value) {
-    if (!value.empty()) text += std::string(" ") + option + " " + shellWord(value);
+/// What follows the program's name. Of a script, paths are absolute.
+std::vector<std::string> wordsOf(const ReportCommandOptions& options, bool absolute) {
+  const auto path = [&](const std::string& text) { return absolute ? farmPath(text) : text; };
+  std::vector<std::string> words = {"report"};
+  for (const std::string& scene : options.scenePaths) words.push_back(path(scene));
+  const auto add = [&words](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
   };
   for (const std::string& camera : options.cameras) add("--camera", camera);
   add("--technique", options.technique);
   add("--size", options.size);
   if (options.rays) add("--rays", std::to_string(*options.rays));
-  if (options.quick) text += " --quick";
+  if (options.quick) words.emplace_back("--quick");
   if (options.seed != 1) add("--seed", std::to_string(options.seed));
   for (const std::string& assignment : options.assignments) add("--set", assignment);
   add("--as", options.fit.kind);
   add("--light", options.fit.light);
   add("--fail-above", options.failAbove.value_or(""));
-  add("-o", options.outputPath);
+  add("-o", path(options.outputPath));
+  return words;
+}
+
+std::string commandOf(const ReportCommandOptions& options) {
+  std::string text = "boxprobe";
+  for (const std::string& word : wordsOf(options, false)) text += " " + shellWord(word);
   return text;
+}
+
+/// Of all that traced pictures and fits depend on.
+std::string reviewKey(const LoadedScene& loaded, const ReviewSettings& settings) {
+  ContentHash hash;
+  hash.add("report").add(loadedSceneKey(loaded)).add(settings.width).add(settings.height).add(settings.paths);
+  hash.add(std::to_string(settings.seed));
+  for (const Camera& camera : settings.cameras) hash.add(camera.name);
+  return hash.text();
 }
 
 std::optional<double> limitOf(const ReportCommandOptions& options) {
@@ -105,6 +125,28 @@ void addRows(const SceneReview& review, std::vector<WholeRow>& rows, nlohmann::o
   }
 }
 
+/// Of every scene's traced pictures and fits.
+void makeShare(const ReportCommandOptions& options, const ReviewSettings& settings,
+               const std::vector<std::vector<Camera>>& cameras, const InterruptGuard& interrupt) {
+  for (std::size_t i = 0; i < options.scenePaths.size(); ++i) {
+    const LoadedScene loaded = loadOne(options.scenePaths[i], options, settings, interrupt);
+    if (!options.report.quiet) printWarnings(loaded.warnings);
+    ReviewSettings wanted = settings;
+    wanted.cameras = cameras[i];
+    const auto shared = sharedWork(options.farm, options.outputPath, reviewKey(loaded, wanted));
+    wanted.shared = shared.get();
+    {
+      ProgressLine line(options.scenePaths[i], !options.report.quiet);
+      const bool complete = reviewShare(loaded, wanted, [&](double done) {
+        line.show(done);
+        return !interrupt.interrupted();
+      });
+      if (!complete) throw WorkError("interrupted; the same command goes on from what is in " + shared->folder());
+    }
+    if (!options.report.quiet) printResult(options.scenePaths[i] + ", " + shareText(*shared));
+  }
+}
+
 void runReport(const ReportCommandOptions& options) {
   useLargePages();
   requireExtension("-o", options.outputPath, {".html", ".htm"});
@@ -112,6 +154,12 @@ void runReport(const ReportCommandOptions& options) {
   const ReviewSettings settings = settingsOf(options);
   requireWritable("-o", options.outputPath);
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  if (!options.farm.script.empty()) {
+    FarmWork work;
+    work.name = "report";
+    work.words = wordsOf(options, true);
+    return printDocument(farmScript(options.farm, work));
+  }
   const InterruptGuard interrupt;
 
   // What is wrong with one of many is told before the first is traced.
@@ -122,6 +170,8 @@ void runReport(const ReportCommandOptions& options) {
     for (const std::string& name : options.cameras) cameras.back().push_back(chooseCamera(loaded.scene, name));
     interrupt.check();
   }
+  if (!options.farm.shard.empty()) return makeShare(options, settings, cameras, interrupt);
+  std::vector<std::unique_ptr<SharedWork>> shares;
   OffscreenScene shown(
       {"boxprobe report", settings.width, settings.height, 1, options.report.quiet, false, options.report.offscreen});
   ReviewPage page({commandOf(options), limit, settings});
@@ -132,6 +182,10 @@ void runReport(const ReportCommandOptions& options) {
     if (!options.report.quiet) printWarnings(loaded.warnings);
     ReviewSettings wanted = settings;
     wanted.cameras = cameras[i];
+    if (options.farm.merge) {
+      shares.push_back(sharedWork(options.farm, options.outputPath, reviewKey(loaded, wanted)));
+      wanted.shared = shares.back().get();
+    }
     std::optional<SceneReview> review;
     {
       ProgressLine line(options.scenePaths[i], !options.report.quiet);
@@ -150,6 +204,7 @@ void runReport(const ReportCommandOptions& options) {
     addRows(*review, rows, probes);
   }
   writeTextAtomically(options.outputPath, page.text());
+  for (const auto& share : shares) share->remove();
   if (!options.report.statsPath.empty()) {
     writeTextAtomically(options.report.statsPath, statsJson(collectStats(shown.renderer(), shown.window())));
   }
@@ -204,6 +259,7 @@ Subcommand addReportCommand(CLI::App& program) {
       ->type_name("N");
   command->add_flag("--quick", options->quick, "Small pictures and few paths");
   command->add_option("--seed", options->seed, "Seed of the paths")->capture_default_str();
+  addFarmOptions(*command, options->farm);
   command->add_option("--set", options->assignments, "Change a field of every scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
@@ -213,6 +269,7 @@ Subcommand addReportCommand(CLI::App& program) {
   addOffscreenOption(*command, options->report);
   command->footer(
       "Exit status: 0 done, 1 a camera's error is above --fail-above or the work failed, 2 bad usage or bad input.\n"
+      "Many processes: --emit, or --shard I/N in each of them and --merge at the end.\n"
       "Examples:\n"
       "  boxprobe report data/scenes/room.boxprobe.json -o room.html\n"
       "  boxprobe report data/scenes/*.boxprobe.json -o all.html --quick --fail-above 0.5");

@@ -1,6 +1,7 @@
 #include "app/cli/farm/farm_script.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/printable_text.h"
@@ -9,35 +10,39 @@ namespace boxprobe {
 
 namespace {
 
-std::string command(const FarmBake& bake) {
-  std::string text = shellWord(bake.program) + " bake " + shellWord(bake.scene) + " -o " + shellWord(bake.folder);
-  for (const std::string& option : bake.options) text += " " + shellWord(option);
+std::string command(const FarmWork& work) {
+  std::string text = shellWord(work.program);
+  for (const std::string& word : work.words) text += " " + shellWord(word);
   return text;
 }
 
-/// Of one bounce, as far as its --shard. A single bounce needs no word about it.
-std::string shareCommand(const FarmBake& bake, int bounce) {
-  return command(bake) + " --quiet" + (bake.bounces > 1 ? " --bounce " + std::to_string(bounce) : "") + " --shard ";
+/// Of one step, as far as its --shard.
+std::string shareCommand(const FarmWork& work, const std::vector<std::string>& step) {
+  std::string text = command(work) + " --quiet";
+  for (const std::string& word : step) text += " " + shellWord(word);
+  return text + " --shard ";
 }
 
-std::string slurm(const FarmBake& bake) {
-  const std::string array = "--array=1-" + std::to_string(bake.shares);
+std::string slurm(const FarmWork& work) {
+  const std::string array = "--array=1-" + std::to_string(work.shares);
   std::string text =
       "#!/bin/sh\n"
-      "# Submits the bake to Slurm: one array job per bounce, then a job that fails unless all is done. Further "
-      "options "
-      "for\n"
+      "# Submits the " +
+      work.name + " to Slurm: one array job per " + work.step +
+      ", then a job that fails unless all is done. Further options for\n"
       "# sbatch: $SBATCH_OPTIONS. Where a task fails, run this again: what is done stays done.\n"
       "set -eu\n";
-  for (int bounce = 1; bounce <= bake.bounces; ++bounce) {
-    // Not afterok: what a bounce left undone, the next one makes for itself.
-    const std::string after = bounce == 1 ? "" : " --dependency=\"afterany:$job\"";
-    text += "job=$(sbatch --parsable ${SBATCH_OPTIONS:-} " + array + after + " --job-name=boxprobe-bake --wrap " +
-            shellWord(shareCommand(bake, bounce) + "auto") + ")\n";
+  bool first = true;
+  for (const std::vector<std::string>& step : work.steps) {
+    // Not afterok: what a step left undone, the next one makes for itself.
+    const std::string after = first ? "" : " --dependency=\"afterany:$job\"";
+    first = false;
+    text += "job=$(sbatch --parsable ${SBATCH_OPTIONS:-} " + array + after + " --job-name=boxprobe-" + work.name +
+            " --wrap " + shellWord(shareCommand(work, step) + "auto") + ")\n";
   }
   return text +
          "sbatch --parsable ${SBATCH_OPTIONS:-} --dependency=\"afterany:$job\" --job-name=boxprobe-check --wrap " +
-         shellWord(command(bake) + " --merge") + "\n";
+         shellWord(command(work) + " --merge") + "\n";
 }
 
 /// GNU parallel fills in whatever looks like {}, {.}, {1} or {=perl=} before its shell sees the command. A brace never
@@ -48,17 +53,24 @@ std::string unfilled(const std::string& shellText) {
   return result;
 }
 
-std::string parallel(const FarmBake& bake) {
-  const std::string count = std::to_string(bake.shares);
+std::string sentenceStart(std::string word) {
+  if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+  return word;
+}
+
+std::string parallel(const FarmWork& work) {
+  const std::string count = std::to_string(work.shares);
   std::string text =
       "#!/bin/sh\n"
-      "# Bakes by GNU parallel. Further options for it (-j N, --sshloginfile FILE): $PARALLEL.\n"
+      "# " +
+      sentenceStart(work.name) +
+      "s by GNU parallel. Further options for it (-j N, --sshloginfile FILE): $PARALLEL.\n"
       "set -eu\n"
       "export PARALLEL_SHELL=/bin/sh\n";
-  for (int bounce = 1; bounce <= bake.bounces; ++bounce) {
-    text += "seq " + count + " | parallel " + shellWord(unfilled(shareCommand(bake, bounce)) + "{}/" + count) + "\n";
+  for (const std::vector<std::string>& step : work.steps) {
+    text += "seq " + count + " | parallel " + shellWord(unfilled(shareCommand(work, step)) + "{}/" + count) + "\n";
   }
-  return text + command(bake) + " --merge\n";
+  return text + command(work) + " --merge\n";
 }
 
 /// A word of sh in a Makefile.
@@ -68,24 +80,24 @@ std::string recipe(const std::string& text) {
   return result;
 }
 
-std::string make(const FarmBake& bake) {
-  std::string text = "# make -j N -f THIS-FILE bakes with N processes at a time.\n.PHONY: all";
+std::string make(const FarmWork& work) {
+  std::string text = "# make -j N -f THIS-FILE " + work.name + "s with N processes at a time.\n.PHONY: all";
   std::string rules, before;
-  for (int bounce = 1; bounce <= bake.bounces; ++bounce) {
+  for (std::size_t step = 0; step < work.steps.size(); ++step) {
     std::string shares;
-    for (int share = 1; share <= bake.shares; ++share) {
-      const std::string target = "bounce-" + std::to_string(bounce) + "-" + std::to_string(share);
+    for (int share = 1; share <= work.shares; ++share) {
+      const std::string target = work.step + "-" + std::to_string(step + 1) + "-" + std::to_string(share);
       shares += " " + target;
-      rules += target + ":" + before + "\n\t" + recipe(shareCommand(bake, bounce)) + std::to_string(share) + "/" +
-               std::to_string(bake.shares) + "\n";
+      rules += target + ":" + before + "\n\t" + recipe(shareCommand(work, work.steps[step])) + std::to_string(share) +
+               "/" + std::to_string(work.shares) + "\n";
     }
-    // A target in between: each share of the next bounce would name all of this one's.
-    const std::string barrier = "bounce-" + std::to_string(bounce);
+    // A target in between: each share of the next step would name all of this one's.
+    const std::string barrier = work.step + "-" + std::to_string(step + 1);
     rules += barrier + ":" + shares + "\n";
     text += shares + " " + barrier;
     before = " " + barrier;
   }
-  return text + "\nall:" + before + "\n\t" + recipe(command(bake)) + " --merge\n" + rules;
+  return text + "\nall:" + before + "\n\t" + recipe(command(work)) + " --merge\n" + rules;
 }
 
 }  // namespace
@@ -100,15 +112,15 @@ std::string shellWord(const std::string& text) {
   return word + "'";
 }
 
-std::string farmScript(const std::string& kind, const FarmBake& bake) {
-  std::vector<std::string> words = {bake.program, bake.scene, bake.folder};
-  words.insert(words.end(), bake.options.begin(), bake.options.end());
+std::string farmScript(const std::string& kind, const FarmWork& work) {
+  std::vector<std::string> words = {work.program};
+  words.insert(words.end(), work.words.begin(), work.words.end());
   for (const std::string& word : words) {
     if (std::none_of(word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; })) continue;
     throw InputError("--emit " + kind + ": \"" + printable(word) +
                      "\" has a control character in it, such as a line break; a script cannot carry it, rename it");
   }
-  return kind == "slurm" ? slurm(bake) : kind == "parallel" ? parallel(bake) : make(bake);
+  return kind == "slurm" ? slurm(work) : kind == "parallel" ? parallel(work) : make(work);
 }
 
 }  // namespace boxprobe

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# 80 probes baked by one process, by Slurm's array job of eight, by mpiexec, GNU parallel and make: the same bytes. And a
-# worker killed in the middle: --check says so, the same command again finishes.
+# 80 probes baked by one process, by Slurm's array job of eight, by mpiexec, GNU parallel and make: the same bytes. Placing and
+# a report by Slurm, too. And workers killed in the middle: what they left undone is made again.
 #   tests/outside/farm/bake_on_a_farm.sh BOXPROBE GENERATE_SCENES FOLDER
 # A Slurm of one machine is set up in FOLDER and ended with it; that needs root.
 set -euo pipefail
@@ -99,6 +99,34 @@ slurm() { # until the last job of the script, its check, has ended
 "${bake[@]}" -o slurm-bake --emit slurm --shards 8 >slurm.sh
 timed "Slurm, array of 8" slurm
 same slurm-bake
+
+# Placing probes: fits by one array, pictures from the rooms by the next, a job that writes the scene. Fewer rooms, since one
+# process compares pictures for many minutes where there are 64: with BOXPROBE_FARM_ROOMS=64 they are the same.
+"$generate" . --apartments "${BOXPROBE_FARM_ROOMS:-2}" >/dev/null
+rooms=apartments-${BOXPROBE_FARM_ROOMS:-2}.boxprobe.json
+place=("$boxprobe" place "$rooms")
+timed "placing, one process" "${place[@]}" -o placed.boxprobe.json --quiet
+"${place[@]}" -o placed-slurm.boxprobe.json --emit slurm --shards 8 >slurm.sh
+timed "placing, Slurm, arrays of 8" slurm
+cmp placed.boxprobe.json placed-slurm.boxprobe.json
+# A worker of the second step killed by Slurm's own means; the others and the last job make up for it.
+"${place[@]}" -o placed-killed.boxprobe.json --emit slurm --shards 4 >slurm.sh
+last=$(sh slurm.sh | tail -1)
+until [ "$(find placed-killed.boxprobe.json.parts -name 'eye-*' 2>/dev/null | wc -l)" -ge 3 ]; do sleep 0.1; done
+victim=$(squeue -h -t R -o %i -n boxprobe-place | head -1)
+scancel --signal=KILL --full "$victim"
+while squeue -h -j "$last" 2>/dev/null | grep -q .; do sleep 1; done
+echo "placing, task $victim killed"
+cmp placed.boxprobe.json placed-killed.boxprobe.json
+[ ! -e placed-killed.boxprobe.json.parts ] || { echo "parts are left"; exit 1; }
+
+# A report: bands of traced pictures and fits of boxes. One process that says nothing of its own seconds is --merge alone.
+report=("$boxprobe" report "$folder/scene.boxprobe.json" --quick --size 160x90 -o "$folder/report.html")
+timed "a report, one process" "${report[@]}" --merge --quiet
+mv report.html report-alone.html
+"${report[@]}" --emit slurm --shards 8 >slurm.sh
+timed "a report, Slurm, array of 8" slurm
+cmp report-alone.html report.html
 
 # A worker killed in the middle of its share.
 "${bake[@]}" -o killed --shard 1/2 --quiet &
