@@ -132,21 +132,18 @@ await page.evaluate(`${figure}.canvas.focus()`);
 await page.evaluate(`${figure}.choose(0.5, 0.75)`);
 await drawnAgain(() => page.key('ArrowLeft'));
 check(Math.abs((await place())[0] - 0.49) < 1e-6, 'an arrow key moves P');
-await page.send('Emulation.setTouchEmulationEnabled', { enabled: true });
 const canvas = await page.evaluate(`(() => { const r = ${figure}.canvas.getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()`);
-await page.touch('touchStart', canvas[0] + 0.3 * canvas[2], canvas[1] + 0.8 * canvas[3]);
-await page.touch('touchEnd');
-await page.send('Emulation.setTouchEmulationEnabled', { enabled: false });
+await page.touch([canvas[0] + 0.3 * canvas[2], canvas[1] + 0.8 * canvas[3]]);
 check(Math.abs((await place())[0] - 0.3) < 0.01, 'a finger moves P');
 const held = (await place())[1];
 await page.evaluate(`${figure}.canvas.focus()`);
 for (const modifier of [1, 2, 4]) await page.key('ArrowDown', modifier);
 check(Math.abs((await place())[1] - held) < 1e-6, 'with Alt, Ctrl or Meta it is left to the browser');
-await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
+await page.media({ motion: 'reduce' });
 await page.evaluate(`${figure}.setSize(0)`);
 await page.click(...await page.middle('[data-figure=infinity] .figure-bar button'));
 check(await page.evaluate(`${figure}.size`) === 1, 'with reduced motion Play goes to its end at once');
-await page.send('Emulation.setEmulatedMedia', { features: [] });
+await page.media();
 // Steps of the slider's way in ten frames, after Stop and Play within one.
 const moves = await page.evaluate(`(async () => {
   const f = ${figure}, set = f.setSize.bind(f);
@@ -172,16 +169,14 @@ const verdict = await page.evaluate(`document.querySelector('.question .verdict'
 check(/Not that one.*0 of 1 right/.test(verdict), `the verdict stands in the question: ${verdict}`);
 await page.click(...await page.middle('.question details.right summary'));
 check(/^Right.*0 of 1 right/.test(await page.evaluate(`document.querySelector('.question .verdict').textContent`)), 'the first try counts');
-const reload = page.event('Page.loadEventFired');
-await page.send('Page.reload');
-await reload;
+await page.reload();
 await page.until('document.querySelectorAll(".question .verdict").length > 0');
 check((await steps()).join() === 'true,true,true,false,false,false', 'the guess is kept');
 await page.click(...await page.middle('.step:nth-of-type(3) .question details.right summary'));
 check((await steps()).join() === 'true,true,true,true,true,true' && await answering() === 'false,false,false,false', 'after the last guess everything stands there');
 await page.middle('[data-figure=infinity]');  // a figure begins when it is seen
 await page.until('Number(document.querySelector("[data-figure=infinity]").dataset.drawn) > 1');
-check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
+check((await page.failures()).length === 0, `no script failed ${(await page.failures()).join(' ')}`);
 await page.size(360, 780, true);
 check(await page.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone of 360 pixels is wide enough');
 await page.middle('[data-figure=infinity] .figure-both');
@@ -191,7 +186,7 @@ await page.evaluate(`${figure}.room.gl.getExtension('WEBGL_lose_context').loseCo
 await page.until(`/load the page again/.test(${host}.querySelector('.room-said')?.textContent)`, 20);
 const drawnBefore = await page.evaluate(`${host}.dataset.drawn`);
 await drawnAgain(() => page.evaluate(`${figure}.redraw()`));
-check(await page.evaluate(`${host}.dataset.drawn`) === drawnBefore && page.messages.length === 0, 'a graphics card that is taken away is said, and nothing is drawn by it');
+check(await page.evaluate(`${host}.dataset.drawn`) === drawnBefore && (await page.failures()).length === 0, 'a graphics card that is taken away is said, and nothing is drawn by it');
 await page.close();
 const addressed = await BrowserPage.open(made('floor-mirror') + '#floor-mirror-2');
 check(await addressed.evaluate(`!document.getElementById('floor-mirror-2').hidden`), "a step's own address shows it");
@@ -200,7 +195,7 @@ const former = await BrowserPage.open(made('floor-mirror') + '#in-the-cubemap');
 check(await former.evaluate(`!document.getElementById('floor-mirror-3').hidden && document.getElementById('floor-mirror-4').hidden && Math.abs(document.getElementById('floor-mirror-3').getBoundingClientRect().top) < innerHeight`), 'the name of a lesson that was merged into this one shows where it begins');
 await former.close();
 const odd = await BrowserPage.open(made('floor-mirror') + '#%');
-check(await odd.evaluate(`document.querySelectorAll('.waiting').length`) === 1 && odd.messages.length === 0, 'an address that is no code does no harm');
+check(await odd.evaluate(`document.querySelectorAll('.waiting').length`) === 1 && (await odd.failures()).length === 0, 'an address that is no code does no harm');
 await odd.close();
 
 const lastStep = await BrowserPage.open(made('bounces'));
@@ -279,8 +274,8 @@ await stand.evaluate(`${stood}.querySelector('[data-handle="plan origin"]').focu
 const keyed = (await state()).origin[0];
 now = await settled(() => stand.key('ArrowRight'));
 check(Math.abs(now.origin[0] - keyed - 0.05) < 1e-6, 'an arrow key moves C by .05');
-check(stand.messages.length === 0, `no script failed ${stand.messages.join(' ')}`);
-await stand.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: 'dark' }] });
+check((await stand.failures()).length === 0, `no script failed ${(await stand.failures()).join(' ')}`);
+await stand.media({ scheme: 'dark' });
 await stand.screenshot(path.join(out, 'stand-dark.png'));
 await stand.close();
 
@@ -333,7 +328,7 @@ const shownCurves = await curves(), mean = shownCurves.curve.guess.reduce((sum, 
 check(shownCurves.drawn === 5 && Math.abs(shownCurves.error.guess - mean) < 1e-9, `then five curves; the guess is off by ${mean.toFixed(2)} levels`);
 console.log(`  none ${shownCurves.error.none.toFixed(2)}, ratio of distances ${shownCurves.error.hdrp.toFixed(2)}, J ${shownCurves.error.J.toFixed(2)} levels from the integral`);
 check(shownCurves.error.J < shownCurves.error.hdrp && shownCurves.error.hdrp < shownCurves.error.none, 'J is nearest');
-check(cone.messages.length === 0, `no script failed ${cone.messages.join(' ')}`);
+check((await cone.failures()).length === 0, `no script failed ${(await cone.failures()).join(' ')}`);
 await cone.screenshot(path.join(out, 'cone.png'));
 await cone.size(360, 780, true);
 await cone.middle('[data-figure=cone]');
