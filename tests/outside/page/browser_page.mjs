@@ -146,7 +146,7 @@ export class BrowserPage {
   }
 
   async screenshot(file) { writeFileSync(file, Buffer.from((await this.send('Page.captureScreenshot', { format: 'png' })).data, 'base64')); }
-  async pdf(file) { writeFileSync(file, Buffer.from((await this.send('Page.printToPDF', { printBackground: true })).data, 'base64')); }
+  async pdf(file) { writeFileSync(file, Buffer.from((await this.send('Page.printToPDF', { printBackground: true, preferCSSPageSize: true })).data, 'base64')); }
 
   async close() {
     this.process.kill('SIGKILL');

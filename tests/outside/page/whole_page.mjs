@@ -48,5 +48,6 @@ for (let i = 0; i < found.tasks; i++) {
 check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
 await page.pdf(path.join(out, 'lessons.pdf'));
 const answers = (text.match(/<fieldset class="question"/g) || []).length;
-check(statSync(path.join(out, 'lessons.pdf')).size > 1e6 && answers > 40, `it prints, ${answers} answers at its end`);
+const paper = readFileSync(path.join(out, 'lessons.pdf'), 'latin1'), pages = (paper.match(/\/Type \/Page\b/g) || []).length;
+check(paper.length > 1e6 && answers > 40 && pages > 20 && pages <= 45, `it prints on ${pages} pages (at most 45), ${answers} answers at its end`);
 await page.close();
