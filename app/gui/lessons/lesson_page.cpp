@@ -6,6 +6,8 @@
 #include <QString>
 #include <algorithm>
 
+#include "app/gui/formula/formula_picture.h"
+#include "app/gui/lessons/curve_picture.h"
 #include "app/lessons/formula_mathml.h"
 #include "app/lessons/plan_figure.h"
 #include "app/web/web_source.h"
@@ -77,13 +79,21 @@ int minutesFor(const Lesson& lesson) {
   return minutes + kExercise * static_cast<int>(lesson.exercises.size());
 }
 
+/// Set here, as outlines: few browsers have a font for mathematics, and each sets MathML its own way. Screen readers,
+/// and whoever copies it, get the MathML.
+std::string mathHtml(const std::string& markup, bool block) {
+  const std::string mathml = "<math>" + formulaMathml(markup) + "</math>";
+  return std::string("<span class=\"math") + (block ? " math-block" : "") + "\">" + mathml +
+         formulaSvg(QString::fromStdString(mathml)).toStdString() + "</span>";
+}
+
 /// Formulas that stand beside each other in the window stand one below the other: a column is narrow.
 std::string formulaHtml(const std::string& formula) {
   static const std::string between = "\\quad";
   std::string text;
   for (std::size_t from = 0; from < formula.size();) {
     const std::size_t to = std::min(formula.find(between, from), formula.size());
-    text += "<math display=\"block\">" + formulaMathml(formula.substr(from, to - from)) + "</math>";
+    text += mathHtml(formula.substr(from, to - from), true);
     from = to + between.size();
   }
   return text.empty() ? text : "<div class=\"formula\">" + text + "</div>";
@@ -97,9 +107,14 @@ std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictu
   if (!step.formerly.empty()) text += "<span id=\"" + html(step.formerly) + "\"></span>";
   text += "<figure";
   if (pictures.sameView[number]) text += " data-before=\"" + pictureId(lesson, number - 1) + "\"";
-  text += "><div class=\"picture\"><img id=\"" + pictureId(lesson, number) + "\" alt=\"" +
-          html(lesson.title + ": " + step.title) + "\" src=\"" + embedded(pictures.steps[number]) +
-          "\"></div></figure><h4><a class=\"address\" href=\"#" + stepId(lesson, number) + "\">" +
+  text += "><div class=\"picture\">";
+  if (step.curve && pictures.curves[number]) {
+    text += curveSvg(*step.curve, *pictures.curves[number], lesson.title + ": " + step.title);
+  } else {
+    text += "<img id=\"" + pictureId(lesson, number) + "\" alt=\"" + html(lesson.title + ": " + step.title) +
+            "\" src=\"" + embedded(pictures.steps[number]) + "\">";
+  }
+  text += "</div></figure><h4><a class=\"address\" href=\"#" + stepId(lesson, number) + "\">" +
           std::to_string(number + 1) + "</a>&ensp;" + html(step.title) + "</h4><p>" + html(step.say) + "</p>";
   text += formulaHtml(step.formula);
   // A page has neither panels nor handles.
@@ -147,8 +162,8 @@ std::string notationHtml(const std::vector<LessonSymbol>& notation) {
   if (notation.empty()) return {};
   std::string text = "<h2 id=\"notation\">Notation</h2>\n<table class=\"notation\">\n";
   for (const LessonSymbol& symbol : notation) {
-    text += "<tr><th scope=\"row\"><math>" + formulaMathml(symbol.symbol) + "</math></th><td>" + html(symbol.means) +
-            "</td></tr>\n";
+    text +=
+        "<tr><th scope=\"row\">" + mathHtml(symbol.symbol, false) + "</th><td>" + html(symbol.means) + "</td></tr>\n";
   }
   return text + "</table>\n";
 }
