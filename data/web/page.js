@@ -128,6 +128,11 @@
       window.boxprobeStand(host, { eye: view.camera.position, origin, room: { min: boxMin.map((v, i) => v + world[i]), max: boxMax.map((v, i) => v + world[i]) } });
       return;
     }
+    if (host.dataset.figure === 'code') {
+      await window.boxprobeCode(host, scene, view, JSON.parse(host.dataset.code));
+      if (host.boxprobeCode) still.remove();
+      return;
+    }
     await window.boxprobeInfinity(host, scene, view);
     if (host.boxprobeInfinity) still.remove();
   }

@@ -3,6 +3,8 @@
 
 #include <QBuffer>
 #include <QByteArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QString>
 #include <algorithm>
 
@@ -233,6 +235,18 @@ std::string coneHtml() {
          "which no level can give: see what was measured on the pictures.</p></div>\n";
 }
 
+std::string codeHtml(const LessonCode& code, std::size_t scene, const std::string& view) {
+  QJsonObject data;
+  data["start"] = QString::fromStdString(code.start);
+  data["answer"] = QString::fromStdString(code.answer);
+  const std::string json = QJsonDocument(data).toJson(QJsonDocument::Compact).toStdString();
+  return "<div class=\"widget\"><h4>Write it</h4>\n<p>" + html(code.say) +
+         " It is compiled as you type, and drawn in the mirror floor. A loop ends after 256 turns.</p>\n" +
+         figureHtml("code", "data-scene=\"scene-" + std::to_string(scene) + "\" data-view=\"" + html(view) +
+                                "\" data-code=\"" + html(json) + "\"") +
+         "</div>\n";
+}
+
 std::string sourcesHtml(const std::vector<LessonSource>& sources) {
   if (sources.empty()) return {};
   std::string text = "<h2 id=\"sources\">Sources</h2>\n<ul>\n";
@@ -275,7 +289,7 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
   const auto place = static_cast<std::size_t>(scene - scenes_.begin());
   std::string after;
   for (const auto& [figure, of] : widgets.figures) {
-    if (of != lesson.name) continue;
+    if (std::find(of.begin(), of.end(), lesson.name) == of.end()) continue;
     if (figure == "cone") {
       text += coneHtml();
     } else if (hasRoom) {
@@ -285,6 +299,9 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
       if (figure == "infinity") opening_ = infinityHtml(live);
       if (figure == "stand") after += standHtml(live);  // it answers the steps' questions
     }
+  }
+  if (const auto code = widgets.code.find(lesson.name); code != widgets.code.end() && hasRoom) {
+    after += codeHtml(code->second, place, pictures.firstView);
   }
   text += "<div class=\"steps\">\n";
   const std::string task = hasRoom || pictures.plan ? taskHtml(lesson, pictures) : std::string();
@@ -394,7 +411,7 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
           "</main>\n<footer><p>Lessons, pictures and scripts of this page: Boxprobe " BOXPROBE_VERSION
           ", BSD 3-Clause License, copyright 2026 Boxprobe contributors.</p></footer>\n";
   text += script("drawing.js");
-  if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js");
+  if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js") + script("code.js");
   return text + script("cone.js") + script("plan.js") + script("task.js") + script("page.js") + "</body></html>\n";
 }
 

@@ -140,6 +140,8 @@ export class BrowserPage {
     await this.send('Input.dispatchKeyEvent', { type: 'rawKeyDown', key, code: key, windowsVirtualKeyCode, modifiers });
     await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key, code: key, windowsVirtualKeyCode, modifiers });
   }
+  /** Into what has the focus. */
+  type(text) { return this.send('Input.insertText', { text }); }
   /** Middle of an element, scrolled into view. */
   middle(selector) {
     return this.evaluate(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); e.scrollIntoView({block: 'center', behavior: 'instant'}); const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);

@@ -182,11 +182,16 @@ check(await page.evaluate('document.documentElement.scrollWidth') <= 360, 'a tel
 await page.middle('[data-figure=infinity] .figure-both');
 await page.until(`!${figure}.waiting`, 20);
 await page.screenshot(path.join(out, 'infinity-phone.png'));
-await page.evaluate(`${figure}.room.gl.getExtension('WEBGL_lose_context').loseContext()`);
+await page.evaluate(`window.taken = ${figure}.room.gl.getExtension('WEBGL_lose_context'), taken.loseContext()`);
 await page.until(`/load the page again/.test(${host}.querySelector('.room-said')?.textContent)`, 20);
 const drawnBefore = await page.evaluate(`${host}.dataset.drawn`);
 await drawnAgain(() => page.evaluate(`${figure}.redraw()`));
 check(await page.evaluate(`${host}.dataset.drawn`) === drawnBefore && (await page.failures()).length === 0, 'a graphics card that is taken away is said, and nothing is drawn by it');
+await page.evaluate('taken.restoreContext()');
+await page.until(`!${host}.querySelector('.room-said') && Number(${host}.dataset.drawn) > ${drawnBefore} && !${figure}.waiting`, 60);
+await page.evaluate(`${figure}.setSize(1)`);
+const restored = await psnr('box');
+check(restored >= 40, `one that comes back draws as before: ${restored.toFixed(1)} dB from render (at least 40)`);
 await page.close();
 const addressed = await BrowserPage.open(made('floor-mirror') + '#floor-mirror-2');
 check(await addressed.evaluate(`!document.getElementById('floor-mirror-2').hidden`), "a step's own address shows it");
@@ -335,3 +340,63 @@ await cone.middle('[data-figure=cone]');
 check(await cone.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone is wide enough for it');
 await cone.screenshot(path.join(out, 'cone-phone.png'));
 await cone.close();
+
+// Code: GLSL that is typed takes the place of the program's box projection.
+const bench = await BrowserPage.open(made('bug-bench'), { width: 1280, height: 900 });
+const coding = 'document.querySelector("[data-figure=code]")', code = `${coding}.boxprobeCode`;
+await bench.evaluate(`document.querySelector('.waiting button').click()`);
+await bench.middle('[data-figure=code]');
+await bench.until(`Number(${coding}.dataset.drawn) > 0`);
+const written = async (text) => {
+  await bench.evaluate(`${code}.area.focus(), ${code}.area.select()`);
+  const drawn = await bench.evaluate(`Number(${coding}.dataset.drawn)`);
+  await bench.type(text);
+  await bench.until(`Number(${coding}.dataset.drawn) > ${drawn} && ${code}.area.value === ${JSON.stringify(text)} && !${code}.waiting`, 60);
+  await bench.evaluate('new Promise((resolve) => setTimeout(resolve, 400))');  // it waits for a pause
+  await bench.until(`!${code}.waiting`, 60);
+  return bench.evaluate(`({ difference: ${code}.difference, errors: ${coding}.dataset.errors, said: ${code}.said.textContent, list: [...${code}.errors.children].map((e) => e.textContent).join(), bad: [...${code}.lines.querySelectorAll('.bad')].map((e) => e.textContent).join(), lost: ${code}.room.gl.isContextLost() })`);
+};
+const body = (...lines) => `vec3 lookup(vec3 P, vec3 R, vec3 A, vec3 B)\n{\n${lines.join('\n')}\n}`;
+const before0 = await bench.evaluate(`${code}.difference`);
+check(before0 > 0.05, `the printed form is wrong by ${before0.toFixed(3)}`);
+const codePsnr = async (technique) => {
+  execFileSync(program, ['render', path.join(scenes, 'room.boxprobe.json'), '-o', png, '--size', `${width}x${height}`, '--camera', 'A', '--samples', '1', '--quiet', '--technique', technique,
+    '--set', 'probes.room.faceSize=128', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
+  return roomPsnr(bench, `${code}.room`, png, width, height);
+};
+const alone = await written(body('return R;')), aloneDb = await codePsnr('infinite');
+check(alone.difference > 0.05 && !alone.errors && aloneDb >= 40, `R alone, typed: off by ${alone.difference.toFixed(3)}, ${aloneDb.toFixed(1)} dB from render (at least 40)`);
+const mended = await written(body('vec3 wall = mix(A, B, step(0.0, R));', 'vec3 t = (wall - P) * sign(R) / max(abs(R), 1.0e-20);', 'return P + min(max(t.x, 0.0), min(max(t.y, 0.0), max(t.z, 0.0))) * R;')), mendedDb = await codePsnr('box');
+check(mended.difference < 1e-3 && /No difference/.test(mended.said) && mendedDb >= 40, `mended: off by ${mended.difference.toExponential(1)}, ${mendedDb.toFixed(1)} dB from render (at least 40)`);
+const mistyped = await written(body('vec3 a = P;', '/* two', 'lines */ vec3 b = a + nothing;', 'return b;'));
+check(mistyped.errors === '5' && mistyped.bad === '5' && /Line 5: .*nothing/.test(mistyped.list) && mistyped.difference === mended.difference, `an error at its line, and the picture is of the code before: ${mistyped.list}`);
+check((await written(body('return R'))).errors !== '' && (await written('vec3 lookup(')).errors !== '' && (await written(' ')).errors !== '', 'a semicolon, a bracket, all of it missing: said');
+const preprocessor = await written(body('return R; // # here it is none', '#define F for'));
+check(preprocessor.errors === '4', 'a preprocessor line is left out, at its line');
+const keptPrograms = await bench.evaluate(`${code}.room.programs.size`);
+// Code that does not end.
+for (const endless of ['for (;;) { R = -R; }', 'while (true) { R += P; }', 'do { R = R.yzx; } while (R.x < 2.0 || true);', 'for/**/ (int i = 0; i < 10; ) { while (i < 100) R = -R; }', 'for (int i = 0; i < 2000000000; i++) for (int j = 0; j < 2000000000; j++) R = R.zxy;']) {
+  const began = Date.now(), s = await written(body(endless, 'return R;'));
+  check(!s.errors && !s.lost && Date.now() - began < 60000, `${endless} ends, after ${((Date.now() - began) / 1000).toFixed(1)} s ${s.list}`);
+}
+check(await bench.evaluate(`${code}.room.programs.size`) <= keptPrograms + 1, 'programs of code that was written over are freed');
+const counted = await written(body('int n = 0;', 'for (int i = 0; i < 5; i++) n += i;', 'int m = 4; while (m > 0) m--; do m++; while (m < 3);', 'return n == 10 && m == 3 ? R : -R;'));
+check(!counted.errors && Math.abs(counted.difference - alone.difference) < 1e-6, `loops that end are as they are written: ${counted.list}`);
+await bench.click(...await bench.middle('[data-control="show code"]'));
+await bench.until(`!${code}.waiting && ${code}.difference < 1e-3`, 30);
+await bench.middle('[data-figure=code]');
+await bench.screenshot(path.join(out, 'code.png'));
+check(true, 'a solution is shown on demand');
+await bench.click(...await bench.middle('[data-control="reset code"]'));
+await bench.until(`!${code}.waiting && ${code}.difference === ${before0}`, 30);
+check((await bench.evaluate(`${code}.area.value === ${code}.data.start`)), 'Reset brings the printed form back');
+await bench.evaluate(`window.taken = ${code}.room.gl.getExtension('WEBGL_lose_context'), ${code}.put(${code}.data.answer), ${code}.difference = -1, taken.loseContext()`);
+await bench.until(`/taken the graphics card away/.test(${coding}.textContent)`, 20);
+await bench.evaluate('new Promise((resolve) => setTimeout(resolve, 200)).then(() => { taken.restoreContext(); })');
+await bench.until(`!${code}.room.gl.isContextLost() && !${code}.waiting && ${code}.difference === ${before0}`, 60);
+check(await bench.evaluate(`!${coding}.querySelector('.room-said') && ${code}.area.value === ${code}.data.start`), 'a graphics card that comes back draws the code of the start again');
+check((await bench.failures()).length === 0, `no script failed ${(await bench.failures()).join(' ')}`);
+await bench.size(360, 780, true);
+await bench.middle('[data-figure=code]');
+check(await bench.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone is wide enough for it');
+await bench.close();

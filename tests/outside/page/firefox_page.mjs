@@ -130,6 +130,10 @@ export class FirefoxPage {
     const held = MODIFIERS.filter(([bit]) => modifiers & bit).map(([, value]) => value), down = (value) => ({ type: 'keyDown', value }), up = (value) => ({ type: 'keyUp', value });
     return this.send('WebDriver:PerformActions', { actions: [{ type: 'key', id: 'keys', actions: [...held.map(down), down(KEYS[key]), up(KEYS[key]), ...held.map(up)] }] });
   }
+  type(text) {
+    const actions = [...text].flatMap((letter) => ['keyDown', 'keyUp'].map((type) => ({ type, value: letter === '\n' ? KEYS.Enter : letter })));
+    return this.send('WebDriver:PerformActions', { actions: [{ type: 'key', id: 'keys', actions }] });
+  }
   middle(selector) {
     return this.evaluate(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); e.scrollIntoView({block: 'center', behavior: 'instant'}); const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
   }
