@@ -16,11 +16,11 @@ namespace {
 
 constexpr const char* kForm =
     "; expected {\"format\": \"boxprobe-lesson-page\", \"version\": 1, \"plans\": {LESSON: [x, y]}, \"rooms\": "
-    "[LESSON, ..], \"figures\": {\"infinity\" or \"stand\": LESSON of \"rooms\", \"cone\": LESSON or [LESSON, ..]}, "
-    "\"code\": {LESSON of "
-    "\"rooms\": {\"say\": S, \"start\": [LINE, ..], \"answer\": [LINE, ..]}}, \"sources\": "
-    "[{\"title\": T, "
-    "\"address\": \"https://..\"}, ..]}, x and y from 0 to 1";
+    "[LESSON, ..], \"figures\": {\"infinity\" or \"stand\": LESSON of \"rooms\" or [LESSON, ..], \"cone\", "
+    "\"fresnel\", "
+    "\"lobe\" or \"glass\": LESSON or [LESSON, ..]}, \"code\": {LESSON of \"rooms\": {\"say\": S, \"start\": [LINE, "
+    "..], "
+    "\"answer\": [LINE, ..]}}, \"sources\": [{\"title\": T, \"address\": \"https://..\"}, ..]}, x and y from 0 to 1";
 constexpr const char* kLoopForm =
     "; expected {\"name\": N, \"lesson\": L, \"steps\": [1, ..], \"labels\": [one a step], \"say\": S, \"from\": "
     "{FIELD: NUMBERS}, \"to\": {the "
@@ -74,6 +74,14 @@ std::optional<std::string> linesIn(const nlohmann::json& json) {
     text += (text.empty() ? "" : "\n") + line.get<std::string>();
   }
   return text;
+}
+
+bool needsRoom(const std::string& figure) {
+  return figure == "infinity" || figure == "stand";
+}
+
+bool isFigure(const std::string& name) {
+  return needsRoom(name) || name == "cone" || name == "fresnel" || name == "lobe" || name == "glass";
 }
 
 /// Nothing for what is neither a name nor names.
@@ -174,8 +182,7 @@ PageWidgets loadPageWidgets(const std::string& folder) {
     } else if (key == "figures" && value.is_object()) {
       for (const auto& [figure, lesson] : value.items()) {
         const std::vector<std::string> names = namesIn(lesson);
-        if ((figure != "infinity" && figure != "stand" && figure != "cone") || names.empty())
-          refuse(path, "figures." + figure);
+        if (!isFigure(figure) || names.empty()) refuse(path, "figures." + figure);
         widgets.figures[figure] = names;
       }
     } else if (key == "code" && value.is_object()) {
@@ -210,7 +217,7 @@ PageWidgets loadPageWidgets(const std::string& folder) {
     return std::find(widgets.rooms.begin(), widgets.rooms.end(), lesson) != widgets.rooms.end();
   };
   for (const auto& [figure, of] : widgets.figures) {
-    if (figure != "cone" && !std::all_of(of.begin(), of.end(), hasRoom)) refuse(path, "figures." + figure);
+    if (needsRoom(figure) && !std::all_of(of.begin(), of.end(), hasRoom)) refuse(path, "figures." + figure);
   }
   for (const auto& [lesson, code] : widgets.code) {
     if (!hasRoom(lesson)) refuse(path, "code." + lesson);

@@ -45,8 +45,9 @@ struct LessonCode {
 struct PageWidgets {
   std::map<std::string, PicturePoint> plans;  ///< lesson: the place in its pictures whose ray is drawn in plan
   std::vector<std::string> rooms;             ///< lessons that are followed by the room to walk in
-  /// Live figure of data/web/figures.js or cone.js, "infinity", "stand" or "cone": its lessons, which have to have a
-  /// room for the first two. The first opens the page, the others their lessons.
+  /// Live figure, "infinity" or "stand" of data/web/figures.js, "cone" of cone.js, "fresnel", "lobe" or "glass" of
+  /// surface.js: its lessons, which have to have a room for the first two. The first opens the page, the others their
+  /// lessons.
   std::map<std::string, std::vector<std::string>> figures;
   std::map<std::string, LessonCode> code;  ///< by lesson, which has to have a room
   std::vector<LessonSource> sources;

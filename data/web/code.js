@@ -118,6 +118,7 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
           room.custom = before;
           const first = (error.source || '').split(MARK)[0].split('\n').length;
           errors = [...error.message.matchAll(/ERROR:\s*\d+:(\d+):\s*([^\n]*)/g)].map(([, line, message]) => ({ line: Math.min(Math.max(Number(line) - first, 1), count), message }));
+          errors = errors.filter((a, i) => errors.findIndex((b) => a.line === b.line && a.message === b.message) === i);  // said for each stage
           if (!errors.length) errors = [{ line: 1, message: error.message.trim().split('\n')[0] || 'does not link' }];
         }
       }

@@ -120,6 +120,11 @@
       window.boxprobeCone(host);
       return;
     }
+    if (host.dataset.kind) {
+      host.querySelector('.figure-still').remove();
+      window.boxprobeSurface(host, host.dataset.kind);
+      return;
+    }
     const scene = sceneOf(host.dataset.scene), view = JSON.parse(host.dataset.view), still = host.querySelector('.figure-still');
     if (host.dataset.figure === 'stand') {
       const { origin, axes, boxMin, boxMax } = scene.probes[0];

@@ -235,6 +235,23 @@ std::string coneHtml() {
          "which no level can give: see what was measured on the pictures.</p></div>\n";
 }
 
+std::string surfaceHtml(const std::string& kind) {
+  const char* const title = kind == "fresnel" ? "How much is reflected"
+                            : kind == "lobe"  ? "Where a rough surface sends its light"
+                                              : "Reflected and let in";
+  const char* const say = kind == "fresnel" ? "Drag the eye down to the surface. The arrows are as long as the shares "
+                                              "of light they carry: orange is reflected, pink is let in. How far down "
+                                              "must the eye be until half is reflected?"
+                          : kind == "lobe"  ? "Drag the eye and change the roughness. The lobe is GGX with Smith's "
+                                              "term, in the plane of the eye. Is it brightest in "
+                                              "the mirrored direction?"
+                                            : "Drag the eye, and change the index of refraction. From within the glass "
+                                              "there is an angle beyond which nothing gets out. "
+                                              "Find it for n = 1.5.";
+  return "<div class=\"widget\"><h4>" + std::string(title) + "</h4>\n<p>" + say + "</p>\n" +
+         figureHtml(kind, "data-kind=\"" + kind + "\"") + "</div>\n";
+}
+
 std::string codeHtml(const LessonCode& code, std::size_t scene, const std::string& view) {
   QJsonObject data;
   data["start"] = QString::fromStdString(code.start);
@@ -292,6 +309,8 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
     if (std::find(of.begin(), of.end(), lesson.name) == of.end()) continue;
     if (figure == "cone") {
       text += coneHtml();
+    } else if (figure == "fresnel" || figure == "lobe" || figure == "glass") {
+      after += surfaceHtml(figure);
     } else if (hasRoom) {
       const std::string& view = figure == "infinity" ? pictures.firstView : pictures.view;
       const std::string live =
@@ -412,7 +431,8 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
           ", BSD 3-Clause License, copyright 2026 Boxprobe contributors.</p></footer>\n";
   text += script("drawing.js");
   if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js") + script("code.js");
-  return text + script("cone.js") + script("plan.js") + script("task.js") + script("page.js") + "</body></html>\n";
+  return text + script("cone.js") + script("surface.js") + script("plan.js") + script("task.js") + script("page.js") +
+         "</body></html>\n";
 }
 
 }  // namespace boxprobe

@@ -400,3 +400,41 @@ await bench.size(360, 780, true);
 await bench.middle('[data-figure=code]');
 check(await bench.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone is wide enough for it');
 await bench.close();
+
+// Light at a surface: the share by sines and tangents (Fresnel's own form), refraction by Snell's law, the lobe by the usual form of GGX.
+for (const kind of ['fresnel', 'glass', 'lobe']) {
+  const surface = await BrowserPage.open(made(kind), { width: 1280, height: 900 }), lit = `document.querySelector("[data-figure=${kind}]")`, at = `${lit}.boxprobeSurface`;
+  await surface.evaluate(`document.querySelectorAll('.waiting button').forEach((button) => button.click())`);
+  await surface.middle(`[data-figure=${kind}]`);
+  await surface.until(`!!${at}`);
+  let off = 0, turned = 0, last = null;
+  if (kind === 'glass') await surface.click(...await surface.middle('[data-control=within]'));
+  await surface.middle(`[data-figure=${kind}] .stand-both`);
+  for (const [across, down] of [[-40, 10], [-60, 70], [70, -30], [60, -60], [-120, 110]]) {
+    const from = await surface.evaluate(`(() => { const r = ${lit}.querySelector('.handle circle:not(.grip)').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
+    await surface.drag(from, [from[0] + across, from[1] + down]);
+    const s = await surface.evaluate(`({ ...${at}.state(), ...${at}.numbers(), lobe: [-60, -20, 0.5, 30, 70].map((out) => [out, ${at}.lobe(out)]) })`), i = s.angle * Math.PI / 180;
+    if (last === null || Math.abs(last - s.angle) > 1) turned++;
+    last = s.angle;
+    const n = s.within ? 1 / s.index : s.index, sine = Math.sin(i) / n;
+    if (sine >= 1) {
+      off = Math.max(off, Math.abs(s.exact - 1), s.inside === null ? 0 : 1);
+    } else {
+      const t = Math.asin(sine), exact = i < 1e-3 ? ((n - 1) / (n + 1)) ** 2 : 0.5 * ((Math.sin(i - t) / Math.sin(i + t)) ** 2 + (Math.tan(i - t) / Math.tan(i + t)) ** 2);
+      off = Math.max(off, Math.abs(s.exact - exact), Math.abs(s.inside - t * 180 / Math.PI) / 100);
+    }
+    for (const [out, value] of s.lobe) {
+      const l = out * Math.PI / 180, h = (l - i) / 2, a2 = s.roughness ** 4 || 1e-8, D = a2 / (Math.PI * (Math.cos(h) ** 2 * (a2 - 1) + 1) ** 2), root = (c) => Math.sqrt(a2 + (1 - a2) * c * c), [cl, cv] = [Math.cos(l), Math.cos(i)];
+      const visible = 0.5 / (cl * root(cv) + cv * root(cl));  // Smith's, for light and eye together, over 4 N.L N.V
+      off = Math.max(off, kind === 'lobe' ? Math.abs(value / (D * visible * cl) - 1) : 0);
+    }
+  }
+  check(turned >= 4 && off < 1e-9, `${kind}: the eye dragged, off by at most ${off.toExponential(1)}`);
+  await surface.evaluate(`${lit}.querySelector('.handle').focus()`);
+  await surface.key('ArrowLeft');
+  check(await surface.evaluate(`${at}.state().angle`) !== last, 'and by an arrow key');
+  check((await surface.failures()).length === 0, `no script failed ${(await surface.failures()).join(' ')}`);
+  await surface.middle(`[data-figure=${kind}]`);
+  await surface.screenshot(path.join(out, `${kind}.png`));
+  await surface.close();
+}
