@@ -19,7 +19,7 @@ const plan = '(document.querySelector(".plan.live").boxprobePlan)';
 await page.until('!!document.querySelector(".plan.live")');
 
 // Formulas are outlines, with the MathML for whoever listens: nothing is cut off, and each is as large as its letters.
-const formulas = await page.evaluate(`[...document.querySelectorAll('.math')].map((m) => { const svg = m.querySelector('svg'), v = svg.viewBox.baseVal, b = svg.querySelector('path').getBBox(), r = m.querySelector('math').getBoundingClientRect();
+const formulas = await page.evaluate(`[...document.querySelectorAll('.math')].filter((m) => m.getClientRects().length).map((m) => { const svg = m.querySelector('svg'), v = svg.viewBox.baseVal, b = svg.querySelector('path').getBBox(), r = m.querySelector('math').getBoundingClientRect();
   return { inside: b.width > 0 && b.x >= v.x - 1 && b.y >= v.y - 1 && b.x + b.width <= v.x + v.width + 1 && b.y + b.height <= v.y + v.height + 1, hidden: r.width <= 1.5 && r.height <= 1.5,
     em: parseFloat(svg.style.width) * 500 / v.width, color: getComputedStyle(svg).fill === getComputedStyle(m).color, said: m.textContent.length }; })`);
 check(formulas.length > 10 && formulas.every((f) => f.inside && f.hidden && Math.abs(f.em - 1) < 0.02 && f.color && f.said), `${formulas.length} formulas are outlines of the text's size and colour, none cut off`);
