@@ -16,9 +16,11 @@ namespace {
 
 constexpr const char* kForm =
     "; expected {\"format\": \"boxprobe-lesson-page\", \"version\": 1, \"plans\": {LESSON: [x, y]}, \"rooms\": "
-    "[LESSON, ..], \"figures\": {\"infinity\" or \"stand\": LESSON of \"rooms\", \"cone\": LESSON}, \"sources\": "
-    "[{\"title\": T, "
-    "\"address\": \"https://..\"}, ..]}, x and y from 0 to 1";
+    "[LESSON, ..], \"figures\": {\"infinity\" or \"stand\": LESSON of \"rooms\" or [LESSON, ..], \"cone\", "
+    "\"fresnel\", "
+    "\"lobe\" or \"glass\": LESSON or [LESSON, ..]}, \"code\": {LESSON of \"rooms\": {\"say\": S, \"start\": [LINE, "
+    "..], "
+    "\"answer\": [LINE, ..]}}, \"sources\": [{\"title\": T, \"address\": \"https://..\"}, ..]}, x and y from 0 to 1";
 constexpr const char* kLoopForm =
     "; expected {\"name\": N, \"lesson\": L, \"steps\": [1, ..], \"labels\": [one a step], \"say\": S, \"from\": "
     "{FIELD: NUMBERS}, \"to\": {the "
@@ -62,6 +64,36 @@ std::optional<Camera> cameraIn(const nlohmann::json& json) {
 bool isName(const nlohmann::json& json) {
   if (!json.is_string() || json.get<std::string>().empty()) return false;
   return json.get<std::string>().find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+}
+
+std::optional<std::string> linesIn(const nlohmann::json& json) {
+  if (!json.is_array() || json.empty()) return std::nullopt;
+  std::string text;
+  for (const auto& line : json) {
+    if (!line.is_string()) return std::nullopt;
+    text += (text.empty() ? "" : "\n") + line.get<std::string>();
+  }
+  return text;
+}
+
+bool needsRoom(const std::string& figure) {
+  return figure == "infinity" || figure == "stand";
+}
+
+bool isFigure(const std::string& name) {
+  return needsRoom(name) || name == "cone" || name == "fresnel" || name == "lobe" || name == "glass";
+}
+
+/// Nothing for what is neither a name nor names.
+std::vector<std::string> namesIn(const nlohmann::json& json) {
+  if (json.is_string()) return {json.get<std::string>()};
+  std::vector<std::string> names;
+  if (!json.is_array()) return names;
+  for (const auto& name : json) {
+    if (!name.is_string()) return {};
+    names.push_back(name);
+  }
+  return names;
 }
 
 LessonLoop loopFrom(const nlohmann::json& json, const std::string& path, std::size_t index) {
@@ -149,9 +181,18 @@ PageWidgets loadPageWidgets(const std::string& folder) {
       }
     } else if (key == "figures" && value.is_object()) {
       for (const auto& [figure, lesson] : value.items()) {
-        if ((figure != "infinity" && figure != "stand" && figure != "cone") || !lesson.is_string())
-          refuse(path, "figures." + figure);
-        widgets.figures[figure] = lesson.get<std::string>();
+        const std::vector<std::string> names = namesIn(lesson);
+        if (!isFigure(figure) || names.empty()) refuse(path, "figures." + figure);
+        widgets.figures[figure] = names;
+      }
+    } else if (key == "code" && value.is_object()) {
+      for (const auto& [lesson, code] : value.items()) {
+        const auto part = [&code = code](const char* name) {
+          return code.is_object() ? code.value(name, nlohmann::json()) : nlohmann::json();
+        };
+        const auto start = linesIn(part("start")), answer = linesIn(part("answer"));
+        if (!part("say").is_string() || !start || !answer || code.size() != 3) refuse(path, "code." + lesson);
+        widgets.code[lesson] = {part("say"), *start, *answer};
       }
     } else if (key == "sources" && value.is_array()) {
       for (std::size_t i = 0; i < value.size(); ++i) {
@@ -172,9 +213,14 @@ PageWidgets loadPageWidgets(const std::string& folder) {
       refuse(path, key);
     }
   }
-  for (const auto& [figure, lesson] : widgets.figures) {
-    const bool room = std::find(widgets.rooms.begin(), widgets.rooms.end(), lesson) != widgets.rooms.end();
-    if (!room && figure != "cone") refuse(path, "figures." + figure);
+  const auto hasRoom = [&](const std::string& lesson) {
+    return std::find(widgets.rooms.begin(), widgets.rooms.end(), lesson) != widgets.rooms.end();
+  };
+  for (const auto& [figure, of] : widgets.figures) {
+    if (needsRoom(figure) && !std::all_of(of.begin(), of.end(), hasRoom)) refuse(path, "figures." + figure);
+  }
+  for (const auto& [lesson, code] : widgets.code) {
+    if (!hasRoom(lesson)) refuse(path, "code." + lesson);
   }
   return widgets;
 }
@@ -183,6 +229,7 @@ std::vector<std::string> unmatchedWidgets(const PageWidgets& widgets, const std:
   std::vector<std::string> names = widgets.rooms, unmatched;
   for (const auto& [name, point] : widgets.plans) names.push_back(name);
   for (const LessonLoop& loop : widgets.loops) names.push_back(loop.lesson);
+  for (const auto& [figure, of] : widgets.figures) names.insert(names.end(), of.begin(), of.end());
   for (const std::string& name : names) {
     const auto named = [&](const Lesson& lesson) { return lesson.name == name; };
     if (std::none_of(lessons.begin(), lessons.end(), named)) {

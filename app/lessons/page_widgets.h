@@ -36,12 +36,20 @@ struct LessonSource {
   std::string address;  ///< of the web, https
 };
 
+/// GLSL that the page compiles and draws with: the function `lookup` of data/web/code.js.
+struct LessonCode {
+  std::string say;            ///< what is to be done with it
+  std::string start, answer;  ///< lines
+};
+
 struct PageWidgets {
   std::map<std::string, PicturePoint> plans;  ///< lesson: the place in its pictures whose ray is drawn in plan
   std::vector<std::string> rooms;             ///< lessons that are followed by the room to walk in
-  /// Live figure of data/web/figures.js or cone.js, "infinity", "stand" or "cone": its lesson, which has to have a room
-  /// for the first two. The first opens the page, the others their lessons.
-  std::map<std::string, std::string> figures;
+  /// Live figure, "infinity" or "stand" of data/web/figures.js, "cone" of cone.js, "fresnel", "lobe" or "glass" of
+  /// surface.js: its lessons, which have to have a room for the first two. The first opens the page, the others their
+  /// lessons.
+  std::map<std::string, std::vector<std::string>> figures;
+  std::map<std::string, LessonCode> code;  ///< by lesson, which has to have a room
   std::vector<LessonSource> sources;
   std::vector<LessonLoop> loops;
 };

@@ -68,6 +68,7 @@
       this.unfold();
       this.choose(...this.share);
       new ResizeObserver(() => this.redraw()).observe(this.canvas);
+      host.addEventListener('boxproberestored', () => { this.unfold(); this.redraw(); });
       this.redraw();
     }
 

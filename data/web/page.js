@@ -120,12 +120,22 @@
       window.boxprobeCone(host);
       return;
     }
+    if (host.dataset.kind) {
+      host.querySelector('.figure-still').remove();
+      window.boxprobeSurface(host, host.dataset.kind);
+      return;
+    }
     const scene = sceneOf(host.dataset.scene), view = JSON.parse(host.dataset.view), still = host.querySelector('.figure-still');
     if (host.dataset.figure === 'stand') {
       const { origin, axes, boxMin, boxMax } = scene.probes[0];
       const world = axes.map((axis) => axis[0] * origin[0] + axis[1] * origin[1] + axis[2] * origin[2]);
       still.remove();
       window.boxprobeStand(host, { eye: view.camera.position, origin, room: { min: boxMin.map((v, i) => v + world[i]), max: boxMax.map((v, i) => v + world[i]) } });
+      return;
+    }
+    if (host.dataset.figure === 'code') {
+      await window.boxprobeCode(host, scene, view, JSON.parse(host.dataset.code));
+      if (host.boxprobeCode) still.remove();
       return;
     }
     await window.boxprobeInfinity(host, scene, view);

@@ -29,7 +29,7 @@
     const truth = exit(s.position, reflection, s.room), seen = sub(truth, s.origin);
     return {
       view, reflection, t, axis, distance, hit, lookup, truth, behind: dot(s.normal, view) <= 0,
-      outside: s.position.some((v, i) => v < s.box.min[i] - 1e-9 || v > s.box.max[i] + 1e-9),
+      outside: s.position.some((v, i) => v < s.box.min[i] - 1e-5 || v > s.box.max[i] + 1e-5),  // a floor's points are off by a float's last digits
       bareHit: exit(s.origin, reflection, s.room), boxHit: exit(s.origin, unit(lookup), s.room),
       bareError: degreesBetween(reflection, seen), boxError: degreesBetween(lookup, seen),
     };

@@ -44,10 +44,28 @@
       this.roughness = null;  // of what mirrors; null: each material's own
       const first = scene.probes[0] ? scene.probes[0].technique.split('+') : ['box', 'none'];
       this.row = this.findRow(...first) || this.findRow('box', 'footprint4');
-      this.floatTargets = Boolean(gl.getExtension('EXT_color_buffer_float'));
-      gl.getExtension('OES_texture_float_linear');
+      this.custom = null;  // texts that take the place of shader files, by name; null: none
+      this.extensions();
       const info = gl.getExtension('WEBGL_debug_renderer_info');
       this.renderer = gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+    }
+
+    extensions() {
+      this.floatTargets = Boolean(this.gl.getExtension('EXT_color_buffer_float'));
+      this.gl.getExtension('OES_texture_float_linear');
+    }
+
+    /** All of it again, in a context that was lost and has come back: what it held is gone. */
+    async restore() {
+      const moved = this.probes.map((probe) => (probe.captured && probe.map === probe.captured ? probe.origin : null));
+      this.programs.clear();
+      this.framebuffer = this.space = undefined;
+      this.extensions();
+      await this.load();
+      this.probes.forEach((probe, i) => {
+        delete probe.captured;
+        if (moved[i]) this.recapture(probe, moved[i]);
+      });
     }
 
     findRow(projection, evaluation) {
@@ -132,11 +150,15 @@
         gl.shaderSource(shader, head + text);
         gl.compileShader(shader);
         gl.attachShader(program, shader);
+        gl.deleteShader(shader);  // with its program
       }
       ['bpVertexPosition', 'bpVertexNormal', 'bpVertexUv'].forEach((name, place) => gl.bindAttribLocation(program, place, name));
       gl.linkProgram(program);
       if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-        throw new Error(gl.getAttachedShaders(program).map((shader) => gl.getShaderInfoLog(shader)).join('') + gl.getProgramInfoLog(program));
+        const error = new Error(gl.getAttachedShaders(program).map((shader) => gl.getShaderInfoLog(shader)).join('') + gl.getProgramInfoLog(program));
+        error.source = head + fragment;
+        gl.deleteProgram(program);
+        throw error;
       }
       const made = { program, places: new Map() };
       made.at = (name) => {
@@ -164,9 +186,29 @@
         defines.push(`BP_GROUPS ${by.length}`);
         groups = `const int bpGroupOf[${probes.length}] = int[${probes.length}](${probes.map((probe) => by.indexOf(probe.importance)).join(', ')});\n`;
       }
-      const key = `${row.projection[0]}+${row.evaluation[0]} ${defines.join(' ')} ${groups}`;
-      const pieces = [...row.pieces, ...scene.shaders.surface].map((name) => texts[name]);
+      const own = row.pieces.map((name) => this.custom?.[name]).join('');
+      const key = `${row.projection[0]}+${row.evaluation[0]} ${defines.join(' ')} ${groups}${own}`;
+      const pieces = [...row.pieces, ...scene.shaders.surface].map((name) => this.custom?.[name] ?? texts[name]);
       return this.program(key, texts['web/surface_vertex.glsl'], defines.map((line) => `#define ${line}\n`).join('') + pieces.slice(0, row.pieces.length).join('\n') + groups + pieces.slice(row.pieces.length).join('\n'));
+    }
+
+    /** Compiles what the camera sees with `custom`. Throws as `program` does: the error has its `source`. */
+    tryCustom() {
+      for (const object of this.scene.objects) {
+        const material = this.scene.materials[object.material];
+        if (object.visible && !material.unlit && object.probes.length) this.surfaceProgram(object, material, object.probes.map((i) => this.probes[i]));
+      }
+    }
+
+    /** Frees the programs of texts that are no longer used. */
+    forgetCustom(custom) {
+      for (const text of Object.values(custom || {})) {
+        for (const [key, { program }] of this.programs) {
+          if (!key.endsWith(text) || Object.values(this.custom || {}).includes(text)) continue;
+          this.gl.deleteProgram(program);
+          this.programs.delete(key);
+        }
+      }
     }
 
     texture(program, name, unitNumber, target, texture) {
@@ -569,8 +611,17 @@
       if (options.prepare) options.prepare(room);
       host.prepend(canvas);
       host.boxprobeRoom = room;
-      canvas.addEventListener('webglcontextlost', () => {
-        element('p', { class: 'room-said', role: 'alert' }, host, 'The browser has taken the graphics card away from this room: load the page again to draw it.');
+      let lost = null;
+      canvas.addEventListener('webglcontextlost', (event) => {
+        event.preventDefault();  // it may come back
+        lost = lost || element('p', { class: 'room-said', role: 'alert' }, host, 'The browser has taken the graphics card away from this room. If it does not come back, load the page again to draw it.');
+      });
+      canvas.addEventListener('webglcontextrestored', async () => {
+        await room.restore();
+        if (lost) lost.remove();
+        lost = null;
+        if (host.boxprobePanel) host.boxprobePanel.redraw();
+        host.dispatchEvent(new Event('boxproberestored'));
       });
       if (options.panel !== false) host.boxprobePanel = new Panel(host, room, options);
     } catch (error) {

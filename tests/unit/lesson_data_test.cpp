@@ -222,12 +222,50 @@ TEST(LessonData, AnUnreviewedTranslationSaysSo) {
   EXPECT_THAT(list.errors, IsEmpty());
   EXPECT_THAT(list.textErrors, IsEmpty());
   EXPECT_EQ(list.notation.size(), loadLessons(kLessons).notation.size());
-  std::size_t translated = 0;
-  for (const Lesson& lesson : list.lessons) {
-    translated += lesson.language == "zh-CN" ? 1 : 0;
+  for (std::size_t i = 0; i < list.lessons.size(); ++i) {
+    const Lesson& lesson = list.lessons[i];
     EXPECT_EQ(lesson.unreviewed.empty(), lesson.language == "en") << lesson.name;
+    // The first five are translated. A text that is missing would make the whole lesson English.
+    EXPECT_EQ(lesson.language, i < 5 ? "zh-CN" : "en") << lesson.name;
   }
-  EXPECT_EQ(translated, 4u);
+}
+
+/// Every sentence a reader sees.
+std::vector<std::string> sentencesOf(const Lesson& lesson) {
+  std::vector<std::string> texts = {lesson.title, lesson.summary};
+  for (const LessonStep& step : lesson.steps) {
+    texts.insert(texts.end(), {step.title, step.say, step.mayMove});
+    if (step.task) texts.insert(texts.end(), {step.task->ask, step.task->praise});
+    if (step.curve) texts.insert(texts.end(), {step.curve->fieldName, step.curve->measureName});
+    if (!step.question) continue;
+    texts.push_back(step.question->ask);
+    for (const LessonAnswer& answer : step.question->answers) texts.insert(texts.end(), {answer.text, answer.reply});
+  }
+  for (const LessonClaim& claim : lesson.claims) texts.push_back(claim.say);
+  for (const LessonExercise& exercise : lesson.exercises) texts.insert(texts.end(), {exercise.ask, exercise.solution});
+  return texts;
+}
+
+// What was copied from the English and never translated is found: it has no Chinese letter, or is what the English
+// says.
+TEST(LessonData, ATranslatedLessonIsTranslatedWhole) {
+  const LessonList english = loadLessons(kLessons), list = loadLessons(kLessons, "zh-CN");
+  ASSERT_EQ(english.lessons.size(), list.lessons.size());
+  for (std::size_t i = 0; i < list.lessons.size(); ++i) {
+    if (list.lessons[i].language == "en") continue;
+    const std::vector<std::string> here = sentencesOf(list.lessons[i]), there = sentencesOf(english.lessons[i]);
+    ASSERT_EQ(here.size(), there.size()) << list.lessons[i].name;
+    for (std::size_t text = 0; text < here.size(); ++text) {
+      if (there[text].empty()) continue;
+      EXPECT_FALSE(here[text].empty()) << list.lessons[i].name << ": " << there[text];
+      // Numbers alone are the same in both.
+      if (there[text].find_first_of("abcdefghijklmnopqrstuvwxyz") == std::string::npos) continue;
+      EXPECT_NE(here[text], there[text]) << list.lessons[i].name;
+      const bool chinese = std::any_of(here[text].begin(), here[text].end(),
+                                       [](char c) { return (static_cast<unsigned char>(c) & 0xF0U) == 0xE0U; });
+      EXPECT_TRUE(chinese) << list.lessons[i].name << ": " << here[text];
+    }
+  }
 }
 
 // Addresses that were given away go on: each of the 45 lessons of before is one of today's or begins within one.

@@ -126,4 +126,56 @@ QImage curvePicture(const LessonCurve& curve, const CurvePoints& points, int wid
   return picture;
 }
 
+std::string curveSvg(const LessonCurve& curve, const CurvePoints& points, const std::string& title) {
+  constexpr double kWidth = 640.0, kHeight = 400.0, kTop = 46.0;
+  const double left = 74.0, right = kWidth - (curve.cost ? 64.0 : 18.0), bottom = kHeight - 62.0;
+  const auto escaped = [](const std::string& text) { return textOf(text).toHtmlEscaped().toStdString(); };
+  const auto short_ = [](double value) { return QString::number(value, 'f', 1).toStdString(); };
+  const auto across = [&](std::size_t value) {
+    return left + (right - left) * static_cast<double>(value) / static_cast<double>(curve.values.size() - 1);
+  };
+  const auto height = [&](double value, double tick) { return bottom - (bottom - kTop) * value / (kTicks * tick); };
+  std::string svg = "<svg class=\"chart\" viewBox=\"0 0 640 400\" role=\"img\" aria-label=\"" + escaped(title) + "\">";
+  const auto text = [&](double x, double y, const char* anchor, const std::string& kind, const std::string& words) {
+    svg += "<text x=\"" + short_(x) + "\" y=\"" + short_(y) + "\" text-anchor=\"" + anchor + "\" class=\"" + kind +
+           "\">" + escaped(words) + "</text>";
+  };
+  const auto line = [&](double y, const char* kind) {
+    svg += "<path class=\"" + std::string(kind) + "\" d=\"M" + short_(left) + " " + short_(y) + "H" + short_(right) +
+           "\"/>";
+  };
+  const auto graph = [&](const std::vector<double>& values, double tick, const std::string& kind) {
+    std::string way, dots;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string x = short_(across(i)), y = short_(height(values[i], tick));
+      way += (i == 0 ? "M" : "L") + x + " " + y;
+      dots += "<circle class=\"" + kind + "\" cx=\"" + x + "\" cy=\"" + y + "\" r=\"5\"/>";
+    }
+    svg += "<path class=\"graph " + kind + "\" d=\"" + way + "\"/>" + dots;
+  };
+  const auto numbers = [&](double tick, double x, const char* anchor, const char* kind) {
+    for (int i = 0; i <= kTicks; ++i) text(x, height(i * tick, tick) + 6.0, anchor, kind, measuredText(i * tick, ""));
+  };
+  const double tick = tickFor(largestOf(points.measured, points.line.value_or(0.0)));
+  for (int i = 0; i <= kTicks; ++i) line(height(i * tick, tick), "rule");
+  numbers(tick, left - 10.0, "end", "measure");
+  if (points.line) {
+    line(height(*points.line, tick), "level");
+    text(right - 6.0, height(*points.line, tick) - 8.0, "end", "level", curve.lineName);
+  }
+  if (!points.costs.empty()) {
+    const double costTick = tickFor(largestOf(points.costs));
+    numbers(costTick, right + 10.0, "start", "cost");
+    graph(points.costs, costTick, "cost");
+    text(kWidth - 12.0, 26.0, "end", "cost", curve.costName);
+  }
+  graph(points.measured, tick, "measure");
+  text(12.0, 26.0, "start", "measure", curve.measureName);
+  for (std::size_t i = 0; i < curve.values.size(); ++i) {
+    text(across(i), bottom + 24.0, "middle", "value", numberText(curve.values[i]));
+  }
+  text(0.5 * (left + right), kHeight - 12.0, "middle", "value", curve.fieldName);
+  return svg + "</svg>";
+}
+
 }  // namespace boxprobe

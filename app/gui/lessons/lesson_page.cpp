@@ -3,9 +3,13 @@
 
 #include <QBuffer>
 #include <QByteArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QString>
 #include <algorithm>
 
+#include "app/gui/formula/formula_picture.h"
+#include "app/gui/lessons/curve_picture.h"
 #include "app/lessons/formula_mathml.h"
 #include "app/lessons/plan_figure.h"
 #include "app/web/web_source.h"
@@ -77,13 +81,21 @@ int minutesFor(const Lesson& lesson) {
   return minutes + kExercise * static_cast<int>(lesson.exercises.size());
 }
 
+/// Set here, as outlines: few browsers have a font for mathematics, and each sets MathML its own way. Screen readers,
+/// and whoever copies it, get the MathML.
+std::string mathHtml(const std::string& markup, bool block) {
+  const std::string mathml = "<math>" + formulaMathml(markup) + "</math>";
+  return std::string("<span class=\"math") + (block ? " math-block" : "") + "\">" + mathml +
+         formulaSvg(QString::fromStdString(mathml)).toStdString() + "</span>";
+}
+
 /// Formulas that stand beside each other in the window stand one below the other: a column is narrow.
 std::string formulaHtml(const std::string& formula) {
   static const std::string between = "\\quad";
   std::string text;
   for (std::size_t from = 0; from < formula.size();) {
     const std::size_t to = std::min(formula.find(between, from), formula.size());
-    text += "<math display=\"block\">" + formulaMathml(formula.substr(from, to - from)) + "</math>";
+    text += mathHtml(formula.substr(from, to - from), true);
     from = to + between.size();
   }
   return text.empty() ? text : "<div class=\"formula\">" + text + "</div>";
@@ -97,9 +109,14 @@ std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictu
   if (!step.formerly.empty()) text += "<span id=\"" + html(step.formerly) + "\"></span>";
   text += "<figure";
   if (pictures.sameView[number]) text += " data-before=\"" + pictureId(lesson, number - 1) + "\"";
-  text += "><div class=\"picture\"><img id=\"" + pictureId(lesson, number) + "\" alt=\"" +
-          html(lesson.title + ": " + step.title) + "\" src=\"" + embedded(pictures.steps[number]) +
-          "\"></div></figure><h4><a class=\"address\" href=\"#" + stepId(lesson, number) + "\">" +
+  text += "><div class=\"picture\">";
+  if (step.curve && pictures.curves[number]) {
+    text += curveSvg(*step.curve, *pictures.curves[number], lesson.title + ": " + step.title);
+  } else {
+    text += "<img id=\"" + pictureId(lesson, number) + "\" alt=\"" + html(lesson.title + ": " + step.title) +
+            "\" src=\"" + embedded(pictures.steps[number]) + "\">";
+  }
+  text += "</div></figure><h4><a class=\"address\" href=\"#" + stepId(lesson, number) + "\">" +
           std::to_string(number + 1) + "</a>&ensp;" + html(step.title) + "</h4><p>" + html(step.say) + "</p>";
   text += formulaHtml(step.formula);
   // A page has neither panels nor handles.
@@ -147,8 +164,8 @@ std::string notationHtml(const std::vector<LessonSymbol>& notation) {
   if (notation.empty()) return {};
   std::string text = "<h2 id=\"notation\">Notation</h2>\n<table class=\"notation\">\n";
   for (const LessonSymbol& symbol : notation) {
-    text += "<tr><th scope=\"row\"><math>" + formulaMathml(symbol.symbol) + "</math></th><td>" + html(symbol.means) +
-            "</td></tr>\n";
+    text +=
+        "<tr><th scope=\"row\">" + mathHtml(symbol.symbol, false) + "</th><td>" + html(symbol.means) + "</td></tr>\n";
   }
   return text + "</table>\n";
 }
@@ -218,6 +235,35 @@ std::string coneHtml() {
          "which no level can give: see what was measured on the pictures.</p></div>\n";
 }
 
+std::string surfaceHtml(const std::string& kind) {
+  const char* const title = kind == "fresnel" ? "How much is reflected"
+                            : kind == "lobe"  ? "Where a rough surface sends its light"
+                                              : "Reflected and let in";
+  const char* const say = kind == "fresnel" ? "Drag the eye down to the surface. The arrows are as long as the shares "
+                                              "of light they carry: orange is reflected, pink is let in. How far down "
+                                              "must the eye be until half is reflected?"
+                          : kind == "lobe"  ? "Drag the eye and change the roughness. The lobe is GGX with Smith's "
+                                              "term, in the plane of the eye. Is it brightest in "
+                                              "the mirrored direction?"
+                                            : "Drag the eye, and change the index of refraction. From within the glass "
+                                              "there is an angle beyond which nothing gets out. "
+                                              "Find it for n = 1.5.";
+  return "<div class=\"widget\"><h4>" + std::string(title) + "</h4>\n<p>" + say + "</p>\n" +
+         figureHtml(kind, "data-kind=\"" + kind + "\"") + "</div>\n";
+}
+
+std::string codeHtml(const LessonCode& code, std::size_t scene, const std::string& view) {
+  QJsonObject data;
+  data["start"] = QString::fromStdString(code.start);
+  data["answer"] = QString::fromStdString(code.answer);
+  const std::string json = QJsonDocument(data).toJson(QJsonDocument::Compact).toStdString();
+  return "<div class=\"widget\"><h4>Write it</h4>\n<p>" + html(code.say) +
+         " It is compiled as you type, and drawn in the mirror floor. A loop ends after 256 turns.</p>\n" +
+         figureHtml("code", "data-scene=\"scene-" + std::to_string(scene) + "\" data-view=\"" + html(view) +
+                                "\" data-code=\"" + html(json) + "\"") +
+         "</div>\n";
+}
+
 std::string sourcesHtml(const std::vector<LessonSource>& sources) {
   if (sources.empty()) return {};
   std::string text = "<h2 id=\"sources\">Sources</h2>\n<ul>\n";
@@ -260,9 +306,11 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
   const auto place = static_cast<std::size_t>(scene - scenes_.begin());
   std::string after;
   for (const auto& [figure, of] : widgets.figures) {
-    if (of != lesson.name) continue;
+    if (std::find(of.begin(), of.end(), lesson.name) == of.end()) continue;
     if (figure == "cone") {
       text += coneHtml();
+    } else if (figure == "fresnel" || figure == "lobe" || figure == "glass") {
+      after += surfaceHtml(figure);
     } else if (hasRoom) {
       const std::string& view = figure == "infinity" ? pictures.firstView : pictures.view;
       const std::string live =
@@ -270,6 +318,9 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
       if (figure == "infinity") opening_ = infinityHtml(live);
       if (figure == "stand") after += standHtml(live);  // it answers the steps' questions
     }
+  }
+  if (const auto code = widgets.code.find(lesson.name); code != widgets.code.end() && hasRoom) {
+    after += codeHtml(code->second, place, pictures.firstView);
   }
   text += "<div class=\"steps\">\n";
   const std::string task = hasRoom || pictures.plan ? taskHtml(lesson, pictures) : std::string();
@@ -379,8 +430,9 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
           "</main>\n<footer><p>Lessons, pictures and scripts of this page: Boxprobe " BOXPROBE_VERSION
           ", BSD 3-Clause License, copyright 2026 Boxprobe contributors.</p></footer>\n";
   text += script("drawing.js");
-  if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js");
-  return text + script("cone.js") + script("plan.js") + script("task.js") + script("page.js") + "</body></html>\n";
+  if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js") + script("code.js");
+  return text + script("cone.js") + script("surface.js") + script("plan.js") + script("task.js") + script("page.js") +
+         "</body></html>\n";
 }
 
 }  // namespace boxprobe

@@ -69,7 +69,6 @@ void LessonPhotographer::drawInset(QImage& picture, const LessonInset& inset, bo
 
 QImage LessonPhotographer::pictureOf(const Lesson& lesson, std::size_t index) {
   const LessonStep& step = lesson.steps[index];
-  if (step.curve) return curvePicture(*step.curve, player_.curve(index), width_, height_);
   if (step.map) return mapPicture(*step.map, player_, width_, height_);
   try {
     return picture(step);
@@ -94,7 +93,10 @@ LessonPictures LessonPhotographer::take(const Lesson& lesson, const std::optiona
     const bool afterDrawn = i > 0 && lesson.steps[i - 1].drawn();
     pictures.sameView.push_back(i > 0 && !step.drawn() && !afterDrawn && step.scene.empty() &&
                                 before == player_.camera());
-    pictures.steps.push_back(pictureOf(lesson, i));
+    pictures.curves.emplace_back();
+    if (step.curve) pictures.curves.back() = player_.curve(i);
+    pictures.steps.push_back(step.curve ? curvePicture(*step.curve, *pictures.curves.back(), width_, height_)
+                                        : pictureOf(lesson, i));
     if (i == 0) pictures.firstView = pictures.view = webView(player_.scene(), player_.camera());
     // The room is of the lesson's own scene file.
     if (step.task && pictures.task.empty() && sceneFileOf(lesson, i) == lesson.scene) {

@@ -20,6 +20,7 @@ namespace boxprobe {
 
 struct LessonPictures {
   std::vector<QImage> steps;
+  std::vector<std::optional<CurvePoints>> curves;  ///< of each step: what its curve was drawn from
   /// Of each step: is its picture taken from where the one before was? Two such pictures lie over each other.
   std::vector<bool> sameView;
   std::optional<Explanation> plan;  ///< of the pixel that was asked for, in the first step where a box is hit there

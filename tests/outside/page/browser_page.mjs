@@ -1,10 +1,14 @@
 // A page in headless Chromium, driven by real pointer and key events through the DevTools protocol over a pipe
 // (--remote-debugging-pipe): no package, no port. Debian's Chromium draws by ANGLE over the display's OpenGL (llvmpipe under xvfb-run).
+// With BOXPROBE_BROWSER=firefox the same calls drive Firefox (firefox_page.mjs); only `send` is Chromium's own.
 import { spawn } from 'node:child_process';
 import { createServer } from 'node:http';
 import { createReadStream, existsSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
+import { FirefoxPage } from './firefox_page.mjs';
+
+export const firefox = process.env.BOXPROBE_BROWSER === 'firefox';
 
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json', '.css': 'text/css', '.png': 'image/png' };
 
@@ -25,7 +29,9 @@ export function serve(folder) {
 
 export class BrowserPage {
   /** `more`: further options of Chromium. */
-  static async open(url, { width = 1200, height = 900, mobile = false, scripts = true, more = [] } = {}) {
+  static async open(url, options = {}) {
+    if (firefox) return FirefoxPage.open(url, options);
+    const { width = 1200, height = 900, mobile = false, scripts = true, more = [] } = options;
     const page = new BrowserPage();
     page.profile = mkdtempSync(path.join(tmpdir(), 'boxprobe-chromium-'));
     page.process = spawn('chromium', ['--headless=new', '--no-sandbox', '--no-first-run', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=gl', '--ignore-gpu-blocklist',
@@ -91,10 +97,38 @@ export class BrowserPage {
     }
   }
 
+  /** `type`: '' or 'print'; `motion`: 'reduce'; `scheme`: 'dark'. What is left out is as the machine has it. */
+  media({ type = '', motion, scheme } = {}) {
+    const features = [['prefers-reduced-motion', motion], ['prefers-color-scheme', scheme]].filter(([, value]) => value).map(([name, value]) => ({ name, value }));
+    return this.send('Emulation.setEmulatedMedia', { media: type, features });
+  }
+
+  async reload() {
+    const loaded = this.event('Page.loadEventFired');
+    await this.send('Page.reload');
+    await loaded;
+  }
+
+  /** What scripts threw and nobody caught. */
+  failures() { return this.messages; }
+
+  /** The document as it stands, scripts or not. */
+  async markup() {
+    await this.send('DOM.enable');
+    const { root } = await this.send('DOM.getDocument', { depth: -1 });
+    return (await this.send('DOM.getOuterHTML', { nodeId: root.nodeId })).outerHTML;
+  }
+
   size(width, height, mobile = false) { return this.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile }); }
 
   mouse(type, x, y) { return this.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1 }); }
-  touch(type, x, y) { return this.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] }); }
+  /** A finger put down, moved and lifted. */
+  async touch(...places) {
+    await this.send('Emulation.setTouchEmulationEnabled', { enabled: true });
+    for (const [i, [x, y]] of places.entries()) await this.send('Input.dispatchTouchEvent', { type: i ? 'touchMove' : 'touchStart', touchPoints: [{ x, y }] });
+    await this.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await this.send('Emulation.setTouchEmulationEnabled', { enabled: false });
+  }
   async drag(from, to) {
     await this.mouse('mousePressed', ...from);
     await this.mouse('mouseMoved', ...to);
@@ -106,13 +140,15 @@ export class BrowserPage {
     await this.send('Input.dispatchKeyEvent', { type: 'rawKeyDown', key, code: key, windowsVirtualKeyCode, modifiers });
     await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key, code: key, windowsVirtualKeyCode, modifiers });
   }
+  /** Into what has the focus. */
+  type(text) { return this.send('Input.insertText', { text }); }
   /** Middle of an element, scrolled into view. */
   middle(selector) {
     return this.evaluate(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); e.scrollIntoView({block: 'center', behavior: 'instant'}); const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
   }
 
   async screenshot(file) { writeFileSync(file, Buffer.from((await this.send('Page.captureScreenshot', { format: 'png' })).data, 'base64')); }
-  async pdf(file) { writeFileSync(file, Buffer.from((await this.send('Page.printToPDF', { printBackground: true })).data, 'base64')); }
+  async pdf(file) { writeFileSync(file, Buffer.from((await this.send('Page.printToPDF', { printBackground: true, preferCSSPageSize: true })).data, 'base64')); }
 
   async close() {
     this.process.kill('SIGKILL');

@@ -132,21 +132,18 @@ await page.evaluate(`${figure}.canvas.focus()`);
 await page.evaluate(`${figure}.choose(0.5, 0.75)`);
 await drawnAgain(() => page.key('ArrowLeft'));
 check(Math.abs((await place())[0] - 0.49) < 1e-6, 'an arrow key moves P');
-await page.send('Emulation.setTouchEmulationEnabled', { enabled: true });
 const canvas = await page.evaluate(`(() => { const r = ${figure}.canvas.getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()`);
-await page.touch('touchStart', canvas[0] + 0.3 * canvas[2], canvas[1] + 0.8 * canvas[3]);
-await page.touch('touchEnd');
-await page.send('Emulation.setTouchEmulationEnabled', { enabled: false });
+await page.touch([canvas[0] + 0.3 * canvas[2], canvas[1] + 0.8 * canvas[3]]);
 check(Math.abs((await place())[0] - 0.3) < 0.01, 'a finger moves P');
 const held = (await place())[1];
 await page.evaluate(`${figure}.canvas.focus()`);
 for (const modifier of [1, 2, 4]) await page.key('ArrowDown', modifier);
 check(Math.abs((await place())[1] - held) < 1e-6, 'with Alt, Ctrl or Meta it is left to the browser');
-await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
+await page.media({ motion: 'reduce' });
 await page.evaluate(`${figure}.setSize(0)`);
 await page.click(...await page.middle('[data-figure=infinity] .figure-bar button'));
 check(await page.evaluate(`${figure}.size`) === 1, 'with reduced motion Play goes to its end at once');
-await page.send('Emulation.setEmulatedMedia', { features: [] });
+await page.media();
 // Steps of the slider's way in ten frames, after Stop and Play within one.
 const moves = await page.evaluate(`(async () => {
   const f = ${figure}, set = f.setSize.bind(f);
@@ -172,26 +169,29 @@ const verdict = await page.evaluate(`document.querySelector('.question .verdict'
 check(/Not that one.*0 of 1 right/.test(verdict), `the verdict stands in the question: ${verdict}`);
 await page.click(...await page.middle('.question details.right summary'));
 check(/^Right.*0 of 1 right/.test(await page.evaluate(`document.querySelector('.question .verdict').textContent`)), 'the first try counts');
-const reload = page.event('Page.loadEventFired');
-await page.send('Page.reload');
-await reload;
+await page.reload();
 await page.until('document.querySelectorAll(".question .verdict").length > 0');
 check((await steps()).join() === 'true,true,true,false,false,false', 'the guess is kept');
 await page.click(...await page.middle('.step:nth-of-type(3) .question details.right summary'));
 check((await steps()).join() === 'true,true,true,true,true,true' && await answering() === 'false,false,false,false', 'after the last guess everything stands there');
 await page.middle('[data-figure=infinity]');  // a figure begins when it is seen
 await page.until('Number(document.querySelector("[data-figure=infinity]").dataset.drawn) > 1');
-check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
+check((await page.failures()).length === 0, `no script failed ${(await page.failures()).join(' ')}`);
 await page.size(360, 780, true);
 check(await page.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone of 360 pixels is wide enough');
 await page.middle('[data-figure=infinity] .figure-both');
 await page.until(`!${figure}.waiting`, 20);
 await page.screenshot(path.join(out, 'infinity-phone.png'));
-await page.evaluate(`${figure}.room.gl.getExtension('WEBGL_lose_context').loseContext()`);
+await page.evaluate(`window.taken = ${figure}.room.gl.getExtension('WEBGL_lose_context'), taken.loseContext()`);
 await page.until(`/load the page again/.test(${host}.querySelector('.room-said')?.textContent)`, 20);
 const drawnBefore = await page.evaluate(`${host}.dataset.drawn`);
 await drawnAgain(() => page.evaluate(`${figure}.redraw()`));
-check(await page.evaluate(`${host}.dataset.drawn`) === drawnBefore && page.messages.length === 0, 'a graphics card that is taken away is said, and nothing is drawn by it');
+check(await page.evaluate(`${host}.dataset.drawn`) === drawnBefore && (await page.failures()).length === 0, 'a graphics card that is taken away is said, and nothing is drawn by it');
+await page.evaluate('taken.restoreContext()');
+await page.until(`!${host}.querySelector('.room-said') && Number(${host}.dataset.drawn) > ${drawnBefore} && !${figure}.waiting`, 60);
+await page.evaluate(`${figure}.setSize(1)`);
+const restored = await psnr('box');
+check(restored >= 40, `one that comes back draws as before: ${restored.toFixed(1)} dB from render (at least 40)`);
 await page.close();
 const addressed = await BrowserPage.open(made('floor-mirror') + '#floor-mirror-2');
 check(await addressed.evaluate(`!document.getElementById('floor-mirror-2').hidden`), "a step's own address shows it");
@@ -200,7 +200,7 @@ const former = await BrowserPage.open(made('floor-mirror') + '#in-the-cubemap');
 check(await former.evaluate(`!document.getElementById('floor-mirror-3').hidden && document.getElementById('floor-mirror-4').hidden && Math.abs(document.getElementById('floor-mirror-3').getBoundingClientRect().top) < innerHeight`), 'the name of a lesson that was merged into this one shows where it begins');
 await former.close();
 const odd = await BrowserPage.open(made('floor-mirror') + '#%');
-check(await odd.evaluate(`document.querySelectorAll('.waiting').length`) === 1 && odd.messages.length === 0, 'an address that is no code does no harm');
+check(await odd.evaluate(`document.querySelectorAll('.waiting').length`) === 1 && (await odd.failures()).length === 0, 'an address that is no code does no harm');
 await odd.close();
 
 const lastStep = await BrowserPage.open(made('bounces'));
@@ -279,8 +279,8 @@ await stand.evaluate(`${stood}.querySelector('[data-handle="plan origin"]').focu
 const keyed = (await state()).origin[0];
 now = await settled(() => stand.key('ArrowRight'));
 check(Math.abs(now.origin[0] - keyed - 0.05) < 1e-6, 'an arrow key moves C by .05');
-check(stand.messages.length === 0, `no script failed ${stand.messages.join(' ')}`);
-await stand.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: 'dark' }] });
+check((await stand.failures()).length === 0, `no script failed ${(await stand.failures()).join(' ')}`);
+await stand.media({ scheme: 'dark' });
 await stand.screenshot(path.join(out, 'stand-dark.png'));
 await stand.close();
 
@@ -333,10 +333,108 @@ const shownCurves = await curves(), mean = shownCurves.curve.guess.reduce((sum, 
 check(shownCurves.drawn === 5 && Math.abs(shownCurves.error.guess - mean) < 1e-9, `then five curves; the guess is off by ${mean.toFixed(2)} levels`);
 console.log(`  none ${shownCurves.error.none.toFixed(2)}, ratio of distances ${shownCurves.error.hdrp.toFixed(2)}, J ${shownCurves.error.J.toFixed(2)} levels from the integral`);
 check(shownCurves.error.J < shownCurves.error.hdrp && shownCurves.error.hdrp < shownCurves.error.none, 'J is nearest');
-check(cone.messages.length === 0, `no script failed ${cone.messages.join(' ')}`);
+check((await cone.failures()).length === 0, `no script failed ${(await cone.failures()).join(' ')}`);
 await cone.screenshot(path.join(out, 'cone.png'));
 await cone.size(360, 780, true);
 await cone.middle('[data-figure=cone]');
 check(await cone.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone is wide enough for it');
 await cone.screenshot(path.join(out, 'cone-phone.png'));
 await cone.close();
+
+// Code: GLSL that is typed takes the place of the program's box projection.
+const bench = await BrowserPage.open(made('bug-bench'), { width: 1280, height: 900 });
+const coding = 'document.querySelector("[data-figure=code]")', code = `${coding}.boxprobeCode`;
+await bench.evaluate(`document.querySelector('.waiting button').click()`);
+await bench.middle('[data-figure=code]');
+await bench.until(`Number(${coding}.dataset.drawn) > 0`);
+const written = async (text) => {
+  await bench.evaluate(`${code}.area.focus(), ${code}.area.select()`);
+  const drawn = await bench.evaluate(`Number(${coding}.dataset.drawn)`);
+  await bench.type(text);
+  await bench.until(`Number(${coding}.dataset.drawn) > ${drawn} && ${code}.area.value === ${JSON.stringify(text)} && !${code}.waiting`, 60);
+  await bench.evaluate('new Promise((resolve) => setTimeout(resolve, 400))');  // it waits for a pause
+  await bench.until(`!${code}.waiting`, 60);
+  return bench.evaluate(`({ difference: ${code}.difference, errors: ${coding}.dataset.errors, said: ${code}.said.textContent, list: [...${code}.errors.children].map((e) => e.textContent).join(), bad: [...${code}.lines.querySelectorAll('.bad')].map((e) => e.textContent).join(), lost: ${code}.room.gl.isContextLost() })`);
+};
+const body = (...lines) => `vec3 lookup(vec3 P, vec3 R, vec3 A, vec3 B)\n{\n${lines.join('\n')}\n}`;
+const before0 = await bench.evaluate(`${code}.difference`);
+check(before0 > 0.05, `the printed form is wrong by ${before0.toFixed(3)}`);
+const codePsnr = async (technique) => {
+  execFileSync(program, ['render', path.join(scenes, 'room.boxprobe.json'), '-o', png, '--size', `${width}x${height}`, '--camera', 'A', '--samples', '1', '--quiet', '--technique', technique,
+    '--set', 'probes.room.faceSize=128', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
+  return roomPsnr(bench, `${code}.room`, png, width, height);
+};
+const alone = await written(body('return R;')), aloneDb = await codePsnr('infinite');
+check(alone.difference > 0.05 && !alone.errors && aloneDb >= 40, `R alone, typed: off by ${alone.difference.toFixed(3)}, ${aloneDb.toFixed(1)} dB from render (at least 40)`);
+const mended = await written(body('vec3 wall = mix(A, B, step(0.0, R));', 'vec3 t = (wall - P) * sign(R) / max(abs(R), 1.0e-20);', 'return P + min(max(t.x, 0.0), min(max(t.y, 0.0), max(t.z, 0.0))) * R;')), mendedDb = await codePsnr('box');
+check(mended.difference < 1e-3 && /No difference/.test(mended.said) && mendedDb >= 40, `mended: off by ${mended.difference.toExponential(1)}, ${mendedDb.toFixed(1)} dB from render (at least 40)`);
+const mistyped = await written(body('vec3 a = P;', '/* two', 'lines */ vec3 b = a + nothing;', 'return b;'));
+check(mistyped.errors === '5' && mistyped.bad === '5' && /Line 5: .*nothing/.test(mistyped.list) && mistyped.difference === mended.difference, `an error at its line, and the picture is of the code before: ${mistyped.list}`);
+check((await written(body('return R'))).errors !== '' && (await written('vec3 lookup(')).errors !== '' && (await written(' ')).errors !== '', 'a semicolon, a bracket, all of it missing: said');
+const preprocessor = await written(body('return R; // # here it is none', '#define F for'));
+check(preprocessor.errors === '4', 'a preprocessor line is left out, at its line');
+const keptPrograms = await bench.evaluate(`${code}.room.programs.size`);
+// Code that does not end.
+for (const endless of ['for (;;) { R = -R; }', 'while (true) { R += P; }', 'do { R = R.yzx; } while (R.x < 2.0 || true);', 'for/**/ (int i = 0; i < 10; ) { while (i < 100) R = -R; }', 'for (int i = 0; i < 2000000000; i++) for (int j = 0; j < 2000000000; j++) R = R.zxy;']) {
+  const began = Date.now(), s = await written(body(endless, 'return R;'));
+  check(!s.errors && !s.lost && Date.now() - began < 60000, `${endless} ends, after ${((Date.now() - began) / 1000).toFixed(1)} s ${s.list}`);
+}
+check(await bench.evaluate(`${code}.room.programs.size`) <= keptPrograms + 1, 'programs of code that was written over are freed');
+const counted = await written(body('int n = 0;', 'for (int i = 0; i < 5; i++) n += i;', 'int m = 4; while (m > 0) m--; do m++; while (m < 3);', 'return n == 10 && m == 3 ? R : -R;'));
+check(!counted.errors && Math.abs(counted.difference - alone.difference) < 1e-6, `loops that end are as they are written: ${counted.list}`);
+await bench.click(...await bench.middle('[data-control="show code"]'));
+await bench.until(`!${code}.waiting && ${code}.difference < 1e-3`, 30);
+await bench.middle('[data-figure=code]');
+await bench.screenshot(path.join(out, 'code.png'));
+check(true, 'a solution is shown on demand');
+await bench.click(...await bench.middle('[data-control="reset code"]'));
+await bench.until(`!${code}.waiting && ${code}.difference === ${before0}`, 30);
+check((await bench.evaluate(`${code}.area.value === ${code}.data.start`)), 'Reset brings the printed form back');
+await bench.evaluate(`window.taken = ${code}.room.gl.getExtension('WEBGL_lose_context'), ${code}.put(${code}.data.answer), ${code}.difference = -1, taken.loseContext()`);
+await bench.until(`/taken the graphics card away/.test(${coding}.textContent)`, 20);
+await bench.evaluate('new Promise((resolve) => setTimeout(resolve, 200)).then(() => { taken.restoreContext(); })');
+await bench.until(`!${code}.room.gl.isContextLost() && !${code}.waiting && ${code}.difference === ${before0}`, 60);
+check(await bench.evaluate(`!${coding}.querySelector('.room-said') && ${code}.area.value === ${code}.data.start`), 'a graphics card that comes back draws the code of the start again');
+check((await bench.failures()).length === 0, `no script failed ${(await bench.failures()).join(' ')}`);
+await bench.size(360, 780, true);
+await bench.middle('[data-figure=code]');
+check(await bench.evaluate('document.documentElement.scrollWidth') <= 360, 'a telephone is wide enough for it');
+await bench.close();
+
+// Light at a surface: the share by sines and tangents (Fresnel's own form), refraction by Snell's law, the lobe by the usual form of GGX.
+for (const kind of ['fresnel', 'glass', 'lobe']) {
+  const surface = await BrowserPage.open(made(kind), { width: 1280, height: 900 }), lit = `document.querySelector("[data-figure=${kind}]")`, at = `${lit}.boxprobeSurface`;
+  await surface.evaluate(`document.querySelectorAll('.waiting button').forEach((button) => button.click())`);
+  await surface.middle(`[data-figure=${kind}]`);
+  await surface.until(`!!${at}`);
+  let off = 0, turned = 0, last = null;
+  if (kind === 'glass') await surface.click(...await surface.middle('[data-control=within]'));
+  await surface.middle(`[data-figure=${kind}] .stand-both`);
+  for (const [across, down] of [[-40, 10], [-60, 70], [70, -30], [60, -60], [-120, 110]]) {
+    const from = await surface.evaluate(`(() => { const r = ${lit}.querySelector('.handle circle:not(.grip)').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
+    await surface.drag(from, [from[0] + across, from[1] + down]);
+    const s = await surface.evaluate(`({ ...${at}.state(), ...${at}.numbers(), lobe: [-60, -20, 0.5, 30, 70].map((out) => [out, ${at}.lobe(out)]) })`), i = s.angle * Math.PI / 180;
+    if (last === null || Math.abs(last - s.angle) > 1) turned++;
+    last = s.angle;
+    const n = s.within ? 1 / s.index : s.index, sine = Math.sin(i) / n;
+    if (sine >= 1) {
+      off = Math.max(off, Math.abs(s.exact - 1), s.inside === null ? 0 : 1);
+    } else {
+      const t = Math.asin(sine), exact = i < 1e-3 ? ((n - 1) / (n + 1)) ** 2 : 0.5 * ((Math.sin(i - t) / Math.sin(i + t)) ** 2 + (Math.tan(i - t) / Math.tan(i + t)) ** 2);
+      off = Math.max(off, Math.abs(s.exact - exact), Math.abs(s.inside - t * 180 / Math.PI) / 100);
+    }
+    for (const [out, value] of s.lobe) {
+      const l = out * Math.PI / 180, h = (l - i) / 2, a2 = s.roughness ** 4 || 1e-8, D = a2 / (Math.PI * (Math.cos(h) ** 2 * (a2 - 1) + 1) ** 2), root = (c) => Math.sqrt(a2 + (1 - a2) * c * c), [cl, cv] = [Math.cos(l), Math.cos(i)];
+      const visible = 0.5 / (cl * root(cv) + cv * root(cl));  // Smith's, for light and eye together, over 4 N.L N.V
+      off = Math.max(off, kind === 'lobe' ? Math.abs(value / (D * visible * cl) - 1) : 0);
+    }
+  }
+  check(turned >= 4 && off < 1e-9, `${kind}: the eye dragged, off by at most ${off.toExponential(1)}`);
+  await surface.evaluate(`${lit}.querySelector('.handle').focus()`);
+  await surface.key('ArrowLeft');
+  check(await surface.evaluate(`${at}.state().angle`) !== last, 'and by an arrow key');
+  check((await surface.failures()).length === 0, `no script failed ${(await surface.failures()).join(' ')}`);
+  await surface.middle(`[data-figure=${kind}]`);
+  await surface.screenshot(path.join(out, `${kind}.png`));
+  await surface.close();
+}

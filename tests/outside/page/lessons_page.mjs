@@ -18,6 +18,12 @@ const page = await BrowserPage.open(address);
 const plan = '(document.querySelector(".plan.live").boxprobePlan)';
 await page.until('!!document.querySelector(".plan.live")');
 
+// Formulas are outlines, with the MathML for whoever listens: nothing is cut off, and each is as large as its letters.
+const formulas = await page.evaluate(`[...document.querySelectorAll('.math')].filter((m) => m.getClientRects().length).map((m) => { const svg = m.querySelector('svg'), v = svg.viewBox.baseVal, b = svg.querySelector('path').getBBox(), r = m.querySelector('math').getBoundingClientRect();
+  return { inside: b.width > 0 && b.x >= v.x - 1 && b.y >= v.y - 1 && b.x + b.width <= v.x + v.width + 1 && b.y + b.height <= v.y + v.height + 1, hidden: r.width <= 1.5 && r.height <= 1.5,
+    em: parseFloat(svg.style.width) * 500 / v.width, color: getComputedStyle(svg).fill === getComputedStyle(m).color, said: m.textContent.length }; })`);
+check(formulas.length > 10 && formulas.every((f) => f.inside && f.hidden && Math.abs(f.em - 1) < 0.02 && f.color && f.said), `${formulas.length} formulas are outlines of the text's size and colour, none cut off`);
+
 // Questions: what follows one waits for a guess.
 const [qx, qy] = await page.middle('.question details.wrong summary');
 await page.click(qx, qy);
@@ -30,9 +36,9 @@ await page.click(...await page.middle('.forget'));
 const forgotten = await page.evaluate(`({ tried: document.querySelectorAll('[data-tried]').length, kept: localStorage.getItem('boxprobe-lessons'), plan: document.querySelector('.widget:has(.plan)').hidden,
   score: document.querySelector('.score').textContent, button: document.querySelector('.forget').hidden, open: document.querySelectorAll('.question details[open]').length })`);
 check(forgotten.tried === 0 && !forgotten.kept && forgotten.plan && forgotten.button && !forgotten.score && !forgotten.open, 'answers are forgotten at a button, and what they showed is hidden');
-await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+await page.media({ type: 'print' });
 check(await page.evaluate(`['.step:last-child', '.measured', '.exercises', '.widget:has(.plan)'].every((part) => [...document.querySelectorAll(part)].every((e) => getComputedStyle(e).display !== 'none')) && getComputedStyle(document.querySelector('.waiting')).display === 'none'`), 'on paper nothing waits for a guess');
-await page.send('Emulation.setEmulatedMedia', { media: '' });
+await page.media();
 await page.click(...await page.middle('.waiting button'));
 
 // 1,000 drags of random handles to random places of their drawing.
@@ -76,14 +82,10 @@ await page.evaluate(`document.querySelector('.plan.live [data-handle="C"]').focu
 await page.key('ArrowRight');
 const keyed = await page.evaluate(`${plan}.state()`);
 check(Math.abs(keyed.origin[0] - before.origin[0] - 0.05) < 1e-6, 'an arrow key moves C by .05');
-await page.send('Emulation.setTouchEmulationEnabled', { enabled: true });
 const [tx, ty] = await page.middle('.plan.live [data-handle="P"] > :last-child');
-await page.touch('touchStart', tx, ty);
-await page.touch('touchMove', tx + 30, ty - 20);
-await page.touch('touchEnd');
+await page.touch([tx, ty], [tx + 30, ty - 20]);
 const touched = await page.evaluate(`${plan}.state()`);
 check(touched.position[0] > keyed.position[0] + 0.05, 'a finger moves P');
-await page.send('Emulation.setTouchEmulationEnabled', { enabled: false });
 await page.screenshot(path.join(out, 'plan.png'));
 
 // Wipe.
@@ -100,9 +102,9 @@ for (const share of [0.25, 0.8]) {
 await page.screenshot(path.join(out, 'wipe.png'));
 const covered = () => page.evaluate(`getComputedStyle(document.querySelector('.wipe .before')).display !== 'none'`);
 const onScreen = await covered();
-await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+await page.media({ type: 'print' });
 check(onScreen && !(await covered()), 'on paper an open wipe leaves the picture itself');
-await page.send('Emulation.setEmulatedMedia', { media: '' });
+await page.media();
 
 // The room, at the face size it is in the page with, as the step with the task has it: its box ends a metre behind the wall.
 const [ox, oy] = await page.middle('.open-room');
@@ -148,7 +150,7 @@ slider = await where();
 await taskPage.drag([slider.now, slider.y], [slider.wrong, slider.y]);
 await taskPage.until(`!document.querySelector('${task}').classList.contains('done')`, 30);
 check((await measured()).value > 0.1, 'dragged past it, it is not');
-check(taskPage.messages.length === 0, `no script failed ${taskPage.messages.join(' ')}`);
+check((await taskPage.failures()).length === 0, `no script failed ${(await taskPage.failures()).join(' ')}`);
 await taskPage.close();
 
 // On paper and in a hand.
@@ -159,14 +161,12 @@ await page.middle('.plan.live');
 const wide = await page.evaluate('document.documentElement.scrollWidth');
 check(wide <= 390, `a telephone's width is enough (${wide} of 390)`);
 await page.screenshot(path.join(out, 'phone.png'));
-check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
+check((await page.failures()).length === 0, `no script failed ${(await page.failures()).join(' ')}`);
 await page.close();
 
 // Without scripts: still plans with the same letters, answers that open.
 const still = await BrowserPage.open(address, { scripts: false });
-await still.send('DOM.enable');
-const { root } = await still.send('DOM.getDocument', { depth: -1 });
-const text = JSON.stringify(root);
-check((text.match(/plan-view/g) || []).length >= 2 && text.includes('"H - C"'), 'without scripts the plan and the elevation stand there');
+const text = await still.markup();
+check((text.match(/plan-view/g) || []).length >= 2 && /H [-−] C/.test(text), 'without scripts the plan and the elevation stand there');
 await still.screenshot(path.join(out, 'still.png'));
 await still.close();

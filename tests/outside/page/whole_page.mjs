@@ -27,6 +27,15 @@ check(found.lessons === files && found.broken === 0 && found.links === 0, `${fou
 check(await page.evaluate(`[...document.querySelectorAll('img')].every((image) => image.alt.includes(': ')) && new Set([...document.images].map((image) => image.alt)).size === document.images.length`), 'each picture has a text of its own');
 check(await page.evaluate(`[...document.querySelectorAll('main > section:not(.answers):not(.opening)')].every((lesson) => lesson.querySelector('h3 .minutes') && lesson.querySelector('.lesson-nav'))`), 'each lesson has its time and its neighbours');
 check(found.plans === Object.keys(widgets.plans).length && found.rooms === widgets.rooms.length, `${found.plans} plans and ${found.rooms} rooms`);
+// Charts are of the page's colours by day and by night: letters stand out from the ground.
+for (const scheme of ['light', 'dark']) {
+  await page.media({ scheme });
+  const charts = await page.evaluate(`(() => { const light = (c) => c.match(/[\\d.]+/g).slice(0, 3).map((v) => (v / 255 <= 0.04045 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4)).reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+    return [...document.querySelectorAll('svg.chart')].map((chart) => { const ground = light(getComputedStyle(chart).backgroundColor);
+      return Math.min(...[...chart.querySelectorAll('text')].map((t) => { const ink = light(getComputedStyle(t).fill); return (Math.max(ink, ground) + 0.05) / (Math.min(ink, ground) + 0.05); })); }); })()`);
+  check(charts.length >= 3 && Math.min(...charts) >= 4.5, `${charts.length} charts, ${scheme}: contrast at least ${Math.min(...charts).toFixed(1)} (4.5)`);
+}
+await page.media();
 // A search.
 const search = (words) => page.evaluate(`(() => { const s = document.querySelector('.search input'); s.value = '${words}'; s.dispatchEvent(new Event('input')); return { none: document.querySelector('.search-none').textContent, left: document.querySelectorAll('nav li li:not([hidden])').length }; })()`);
 const [nothing, some, all] = [await search('zzyzx'), await search('pillar arcade'), await search('')];
@@ -48,5 +57,6 @@ for (let i = 0; i < found.tasks; i++) {
 check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
 await page.pdf(path.join(out, 'lessons.pdf'));
 const answers = (text.match(/<fieldset class="question"/g) || []).length;
-check(statSync(path.join(out, 'lessons.pdf')).size > 1e6 && answers > 40, `it prints, ${answers} answers at its end`);
+const paper = readFileSync(path.join(out, 'lessons.pdf'), 'latin1'), pages = (paper.match(/\/Type \/Page\b/g) || []).length;
+check(paper.length > 1e6 && answers > 40 && pages > 20 && pages <= 45, `it prints on ${pages} pages (at most 45), ${answers} answers at its end`);
 await page.close();
