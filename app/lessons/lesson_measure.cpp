@@ -95,7 +95,8 @@ double errorAgainstScene(const ShownScene& shown, const ImageRgbaF& picture, con
   settings.samplesPerPixel = kSamples;
   settings.raysPerPixel = kTruthRays;
   settings.part = pixelsOf(region, picture.width, picture.height);
-  const ReferenceScene scene(shown.scene, shown.models, loadSkyImage(shown.scene));
+  const SceneOfDrawnSky drawn = withDrawnSky(shown.scene);
+  const ReferenceScene scene(drawn.scene, shown.models, drawn.skyImage);
   const ImageRgbaF truth = scene.render(shown.camera, settings, whileGoingOn(shown)).color;
   return pictureDifference(picture, truth, region);
 }

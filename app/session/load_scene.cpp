@@ -150,6 +150,16 @@ std::shared_ptr<const ImageRgbaF> loadSkyImage(const Scene& scene) {
   return image != nullptr ? std::make_shared<ImageRgbaF>(loadSkyPicture(*image)) : nullptr;
 }
 
+SceneOfDrawnSky withDrawnSky(Scene scene) {
+  SceneOfDrawnSky drawn{std::move(scene), nullptr};
+  if (const auto* image = std::get_if<SkyImage>(&drawn.scene.sky)) {
+    DrawnSky sky = loadDrawnSky(*image);
+    if (sky.sun) drawn.scene.lights.push_back(lightOf(*sky.sun, drawn.scene.skyRotationDegrees));
+    drawn.skyImage = std::make_shared<ImageRgbaF>(std::move(sky.image));
+  }
+  return drawn;
+}
+
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models) {
   std::vector<std::string> warnings;
   std::vector<const Model*> plain;

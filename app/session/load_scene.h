@@ -41,6 +41,14 @@ std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const L
 /// The picture that a scene has as its sky, for references; null for a sky of another kind. Throws InputError.
 std::shared_ptr<const ImageRgbaF> loadSkyImage(const Scene& scene);
 
+/// A scene with the sun of its sky's picture among its lights, if that is drawn as one, and the picture without it.
+struct SceneOfDrawnSky {
+  Scene scene;
+  std::shared_ptr<const ImageRgbaF> skyImage;  ///< null for a sky of another kind
+};
+/// For references that are lit as captures are. Throws InputError.
+SceneOfDrawnSky withDrawnSky(Scene scene);
+
 /// What will not show as the files ask, one sentence each: what the model files hold and the program does not support,
 /// features of the scene that are accepted but not used yet, overrides and hides that name nothing in the models.
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);

@@ -141,7 +141,7 @@ void SceneParts::endFrame() {
 void SceneParts::sync(const Scene& scene, const Changes& changes) {
   makeCurrent();
   frames.dropRays();
-  content.scene = scene;
+  const bool lights = content.setScene(scene, changes.sky) || changes.lights;
   if (state->resources.lightForm != LightForm::Vtk) {
     state->resources.lightForm = scene.energy == Energy::Multiple ? LightForm::Multiple : LightForm::Single;
     state->resources.tone = scene.tone;
@@ -153,7 +153,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   const bool divided = (anew || ((changes.models || anyProbe) && !interactive)) && content.divideModels();
   const bool models = changes.models || divided;
   const bool objects = models || changes.materials || changes.objects;
-  const bool lit = models || anyProbe || changes.probeTechnique || changes.probeCapture || objects || changes.lights;
+  const bool lit = models || anyProbe || changes.probeTechnique || changes.probeCapture || objects || lights;
   if (models) {
     state->counts.error.clear();
     content.rebuildObjects(renderer, state);
@@ -170,12 +170,11 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   }
   // If there are many objects, none is known to be visible before the first frame.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
-  const bool otherLamps = (objects || changes.lights || anyProbe || changes.probeCapture) && content.findLamps();
+  const bool otherLamps = (objects || lights || anyProbe || changes.probeCapture) && content.findLamps();
   state->resources.lamps = content.lamps;
-  if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
-  if (changes.sky) content.rebuildSky();
+  if (models || lights || otherLamps) content.rebuildLights(renderer);
   content.sky->SetBackground(scene.background, scene.backgroundColor);
-  askTraced(objects || changes.exposure || changes.lights);
+  askTraced(objects || changes.exposure || lights);
   if (lit) {
     shadows.sceneChanged();
     suns.sceneChanged();
@@ -349,8 +348,7 @@ void SceneParts::setInteractive(bool active) {
   }
   Changes cut;
   cut.models = true;
-  const Scene scene = content.scene;
-  sync(scene, cut);
+  sync(content.givenScene(), cut);
 }
 
 void SceneParts::step() {

@@ -4,6 +4,10 @@
 //   BP_ONE_COLOR   defined for one colour
 //   BP_SKY_MAP     defined for a level of the sky's map along the world's axes
 //   BP_SKY_IMAGE   defined if the sky is a picture; none of them: it is a gradient
+//   BP_SKY_SUN     with BP_SKY_IMAGE: defined for the disc of a sun that is drawn as a light
+uniform vec3 bpSunTowards;     // unit length, in the picture's frame
+uniform float bpSunRadius;     // length of the chord from its middle to its edge
+uniform vec3 bpSunRadiance;
 uniform vec3 bpSkyTop;
 uniform vec3 bpSkyHorizon;
 uniform vec3 bpSkyGround;
@@ -31,6 +35,9 @@ void main()
   float longitude = atan(d.x, d.z);
   float latitude = asin(clamp(d.y, -1.0f, 1.0f));
   vec3 color = textureLod(bpSkyImage, vec2(0.5f - longitude / 6.2831853f, 0.5f - latitude / 3.1415927f), 0.0f).rgb;
+#if defined(BP_SKY_SUN)
+  color += distance(d, bpSunTowards) < bpSunRadius ? bpSunRadiance : vec3(0.0f);
+#endif
 #else
   vec3 color = skyGradient(bpDirection, bpSkyTop, bpSkyHorizon, bpSkyGround);
 #endif

@@ -92,7 +92,7 @@ void makeScenes() {
   scene.models.resize(1);
   scene.probes.clear();
   write("scene/color", sceneText(scene, ""));
-  scene.sky = SkyImage{"/sky.hdr"};
+  scene.sky = SkyImage{"/sky.hdr", CubeView::Inside, SkySunForm::InPicture};
   write("scene/image", sceneText(scene, ""));
 }
 

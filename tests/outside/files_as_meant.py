@@ -208,13 +208,19 @@ def environments():
     texel = SKY.copy()
     texel[2, 2:4, 0] = np.nan
     line("OpenEXR, NaN among .25 1 2", [.25, 1, 2], sky(exr("f.exr", texel)))
-    # A sun of one texel: what a surface that faces it gets, over pi.
+    # A sun of one texel, which becomes a light: what a surface that faces it gets.
     width, height = 64, 32
     sun = np.full((height, width, 3), .5)
     sun[9, 31] = 1e6
-    status, said = run("info", write("sun.boxprobe.json", json.dumps(
-        {"format": "boxprobe-scene", "version": 1, "model": "far.gltf", "sky": {"image": exr("sun.exr", sun)}})))
-    line("OpenEXR, a sun of 1e6: info", "65504, the largest half float: the light was spread", said)
+    scene = {"format": "boxprobe-scene", "version": 1, "model": "far.gltf", "sky": {"image": exr("sun.exr", sun)}}
+    status, said = run("info", write("sun.boxprobe.json", json.dumps(scene)))
+    line("OpenEXR, a sun of 1e6: info", "its sun was taken out and is drawn as a light", said)
+    status, said = run("info", "sun.boxprobe.json", "--json")
+    angle = 2 * np.pi / width * (np.sin(np.pi / 2 - np.pi * 9 / height) - np.sin(np.pi / 2 - np.pi * 10 / height))
+    line("the same: its light, facing it", angle * 1e6, json.loads(said)["sky"]["sunLight"]["intensity"], .001)
+    scene["sky"]["sun"] = "in-picture"
+    status, said = run("info", write("sun.boxprobe.json", json.dumps(scene)))
+    line("the same, left in the picture: info", "65504, the largest half float: the light was spread", said)
 
 
 def cross():

@@ -230,7 +230,9 @@ void RandomEdits::changeSurroundings(Scene& scene) {
     default:
       scene.models.assign(below(3), {limits_.folder + "/model " + std::to_string(below(3)) + ".glb", vector(-9.0, 9.0),
                                      vector(0.0, 360.0), number(0.1, 10.0)});
-      if (oneIn(2)) scene.sky = SkyImage{limits_.folder + "/sky.hdr"};
+      if (oneIn(2)) {
+        scene.sky = SkyImage{limits_.folder + "/sky.hdr", CubeView::Outside, static_cast<SkySunForm>(below(2))};
+      }
   }
 }
 

@@ -494,5 +494,132 @@ TEST_F(Environment, LightThatNoDiscTakesIsCutAndTold) {
   EXPECT_THAT(repairs.sentences(), ElementsAre(HasSubstr("% of the picture's light is cut off")));
 }
 
+/// A sky without symmetry, and in it an even disc: texels near it have what 8 x 8 points of them see.
+struct DiscSky {
+  glm::dvec3 sun = glm::normalize(glm::dvec3(0.5, 0.7, 0.9)), radiance{4000.0, 3200.0, 1600.0};
+  double radius = 1.1 * kPi / 180.0;
+
+  static glm::dvec3 around(const glm::dvec3& d) { return glm::dvec3(0.5, 0.6, 0.9) * (1.0 + 0.4 * d.x + 0.3 * d.y); }
+  static glm::dvec3 direction(double x, double y, int width, int height) {
+    const double longitude = kPi - 2 * kPi * x / width, latitude = kPi / 2 - kPi * y / height;
+    return {std::cos(latitude) * std::sin(longitude), std::sin(latitude), std::cos(latitude) * std::cos(longitude)};
+  }
+  glm::vec3 texel(int x, int y, int width, int height) const {
+    const glm::dvec3 middle = direction(x + 0.5, y + 0.5, width, height);
+    if (glm::length(middle - sun) > radius + 2 * kPi / width) return around(middle);
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < 64; ++i) {
+      const glm::dvec3 d = direction(x + (i % 8 + 0.5) / 8, y + (i / 8 + 0.5) / 8, width, height);
+      sum += around(d) + (glm::length(d - sun) < 2.0 * std::sin(0.5 * radius) ? radiance : glm::dvec3(0.0));
+    }
+    return sum / 64.0;
+  }
+  Paint paint(int width, int height) const {
+    return [=, *this](int x, int y) { return texel(x, y, width, height); };
+  }
+};
+
+DrawnSky drawnSky(const std::string& path, SkySunForm form = SkySunForm::Lamp) {
+  SkyImage image{path};
+  image.sun = form;
+  return loadDrawnSky(image);
+}
+
+TEST_F(Environment, ASunIsTakenOutAsALightOfItsEnergyDirectionAndWidth) {
+  const DiscSky disc;
+  const DrawnSky sky = drawnSky(made(720, 360, disc.paint(720, 360)));
+  ASSERT_TRUE(sky.sun);
+  EXPECT_NEAR(glm::length(sky.sun->towards - disc.sun), 0.0, 0.0005);
+  EXPECT_NEAR(sky.sun->angleDegrees, 2.2, 0.1);
+  for (const glm::dvec3& normal : {glm::dvec3(0, 1, 0), disc.sun, glm::normalize(glm::dvec3(0.9, 0.2, -0.1)),
+                                   glm::normalize(glm::dvec3(-0.5, -0.2, -0.8))}) {
+    // Of the whole: a linear sky sheds pi times itself at 2/3 of the normal; a disc its solid angle's share.
+    const glm::dvec3 smooth = kPi * glm::dvec3(0.5, 0.6, 0.9) * (1.0 + 2.0 / 3.0 * (0.4 * normal.x + 0.3 * normal.y));
+    const double sine = std::sin(disc.radius), cosine = std::max(glm::dot(disc.sun, normal), 0.0);
+    const glm::dvec3 right = smooth + kPi * sine * sine * cosine * disc.radiance;
+    const Light light = lightOf(*sky.sun, 0.0);
+    const double meets = std::max(-glm::dot(glm::normalize(light.direction), normal), 0.0);
+    const glm::dvec3 rest = irradianceOf(sky.image, normal);
+    const glm::dvec3 got = rest + meets * static_cast<double>(light.intensity) * glm::dvec3(light.color);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(got[c] / right[c], 1.0, 0.01) << c << " facing " << normal.x << " " << normal.y << " " << normal.z;
+      EXPECT_NEAR(rest[c] / smooth[c], 1.0, 0.01) << "a part of the sun stays in the sky";
+    }
+  }
+}
+
+TEST_F(Environment, ASunsLightTurnsWithTheSky) {
+  // In the middle of the picture, which is +Z, a third of the way up; 90 degrees take +Z to +X.
+  DiscSky disc;
+  disc.sun = glm::normalize(glm::dvec3(0.0, 1.0, 2.0));
+  const DrawnSky sky = drawnSky(made(360, 180, disc.paint(360, 180)));
+  ASSERT_TRUE(sky.sun);
+  const auto from = [&](double degrees) { return -glm::normalize(lightOf(*sky.sun, degrees).direction); };
+  const double high = 1 / std::sqrt(5.0), far = 2 / std::sqrt(5.0);
+  EXPECT_NEAR(glm::length(from(0) - glm::dvec3(0, high, far)), 0.0, 0.002);
+  EXPECT_NEAR(glm::length(from(90) - glm::dvec3(far, high, 0)), 0.0, 0.002);
+  EXPECT_NEAR(glm::length(from(-450) - glm::dvec3(-far, high, 0)), 0.0, 0.002);
+}
+
+TEST_F(Environment, ASkyWithoutACompactSunStaysAsItIs) {
+  DiscSky wide, faint, dim, pair;
+  wide.radius = 5.0 * kPi / 180.0;  // a softbox
+  wide.radiance = glm::dvec3(9000.0);
+  faint.radiance = glm::dvec3(60.0);  // a bright spot
+  dim.radius = 0.4 * kPi / 180.0;     // too little light for a shadow to be seen
+  dim.radiance = glm::dvec3(1500.0);
+  for (const DiscSky& disc : {wide, faint, dim}) {
+    const std::string path = made(360, 180, disc.paint(360, 180));
+    const DrawnSky sky = drawnSky(path);
+    EXPECT_FALSE(sky.sun) << disc.radius << " " << disc.radiance.x;
+    EXPECT_EQ(sky.image.pixels, readSky(path).pixels);
+  }
+  // Two discs 7 degrees apart are no sun: further than 3.5 degrees from the middle there is light of theirs.
+  const glm::dvec3 beside = glm::normalize(pair.sun + glm::dvec3(0.0, 0.16, 0.0));
+  DiscSky other = pair;
+  other.sun = beside;
+  const std::string path =
+      made(360, 180, [&](int x, int y) { return glm::max(pair.texel(x, y, 360, 180), other.texel(x, y, 360, 180)); });
+  EXPECT_FALSE(drawnSky(path).sun);
+  EXPECT_TRUE(drawnSky(made(360, 180, pair.paint(360, 180))).sun);
+  const std::string kept = made(360, 180, pair.paint(360, 180));
+  const DrawnSky asked = drawnSky(kept, SkySunForm::InPicture);
+  EXPECT_FALSE(asked.sun);
+  EXPECT_EQ(asked.image.pixels, readSky(kept).pixels);
+}
+
+TEST_F(Environment, ASunBeyondHalfFloatsBecomesALight) {
+  const int sunX = 31, sunY = 9;
+  const DrawnSky sky = drawnSky(made(
+      64, 32, [&](int x, int y) { return x == sunX && y == sunY ? glm::vec3(1e6f, 8e5f, 2e5f) : glm::vec3(0.5f); }));
+  ASSERT_TRUE(sky.sun);
+  EXPECT_TRUE(sky.notes.repairs.sentences().empty()) << "nothing is lost or spread";
+  const double top = kPi / 2 - kPi * sunY / 32, low = kPi / 2 - kPi * (sunY + 1) / 32;
+  const double texel = 2 * kPi / 64 * (std::sin(top) - std::sin(low));
+  EXPECT_NEAR(sky.sun->irradiance.x / (texel * 1e6), 1.0, 0.001);
+  EXPECT_NEAR(sky.sun->irradiance.z / (texel * 2e5), 1.0, 0.001);
+  for (std::size_t i = 0; i < sky.image.pixels.size(); i += 4) ASSERT_NEAR(sky.image.pixels[i], 0.5f, 1e-6f);
+}
+
+TEST_F(Environment, ASunInACrossBecomesALight) {
+  constexpr int kFace = 64;
+  CubeMap cube(kFace, 1);
+  for (int face = 0; face < 6; ++face) {
+    for (int i = 0; i < kFace * kFace; ++i) cube.setTexel(0, face, i % kFace, i / kFace, {0.5f, 0.5f, 0.5f, 1.0f});
+  }
+  cube.setTexel(0, 0, 20, 45, {2e5f, 1e5f, 4e4f, 1.0f});  // on +X
+  CubePictureOptions options;
+  options.precision = ExrPrecision::Float;
+  saveCubePicture(file("cross.exr"), cube, CubeLayout::Cross, options);
+  const DrawnSky sky = drawnSky(file("cross.exr"));
+  ASSERT_TRUE(sky.sun);
+  // OpenGL: on +X, s grows towards -Z and t towards -Y.
+  const double s = 2 * 20.5 / kFace - 1, t = 2 * 45.5 / kFace - 1, square = 1 + s * s + t * t;
+  EXPECT_NEAR(glm::length(sky.sun->towards - glm::dvec3(1, -t, -s) / std::sqrt(square)), 0.0, 1e-5);
+  const double angle = 4.0 / (kFace * kFace) / (square * std::sqrt(square));
+  EXPECT_NEAR(sky.sun->irradiance.x / (angle * 2e5), 1.0, 0.001);
+  for (const float value : sky.image.pixels) ASSERT_LE(value, 1.001f);
+}
+
 }  // namespace
 }  // namespace boxprobe

@@ -129,7 +129,7 @@ void runBench(const BenchOptions& options) {
   const FrameSize timed = timedFrameSize(options);
   VtkBenchHost host(
       {"boxprobe bench", timed.width, timed.height, 1, options.report.quiet, false, options.report.offscreen},
-      loaded.models, loadSkyImage(loaded.scene), [] {});
+      loaded.models, [] {});
   requireBenchFolder(options.folder, "bench.json");
   Contacts contacts(plan);
   BenchResult result = [&] {

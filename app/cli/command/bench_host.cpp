@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/session/load_scene.h"
 #include "app/session/offscreen_scene.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/gl/software_driver.h"
@@ -11,9 +12,8 @@
 namespace boxprobe {
 
 struct VtkBenchHost::Impl {
-  Impl(const OffscreenSettings& settings, std::vector<std::shared_ptr<const Model>> m,
-       std::shared_ptr<const ImageRgbaF> sky, std::function<void()> c)
-      : models(std::move(m)), skyImage(std::move(sky)), check(std::move(c)), first(settings) {
+  Impl(const OffscreenSettings& settings, std::vector<std::shared_ptr<const Model>> m, std::function<void()> c)
+      : models(std::move(m)), check(std::move(c)), first(settings) {
     onCpu = drawsOnCpu();
     if (!onCpu && glGenQueries != nullptr) glGenQueries(1, &query);
   }
@@ -29,7 +29,6 @@ struct VtkBenchHost::Impl {
   }
 
   std::vector<std::shared_ptr<const Model>> models;
-  std::shared_ptr<const ImageRgbaF> skyImage;
   std::function<void()> check;
   OffscreenScene first;                  ///< pictures and explanations; frames of the technique
   std::optional<OffscreenScene> second;  ///< frames of the baseline; made when frames are first timed
@@ -40,8 +39,8 @@ struct VtkBenchHost::Impl {
 };
 
 VtkBenchHost::VtkBenchHost(const OffscreenSettings& settings, std::vector<std::shared_ptr<const Model>> models,
-                           std::shared_ptr<const ImageRgbaF> skyImage, std::function<void()> check)
-    : impl_(std::make_unique<Impl>(settings, std::move(models), std::move(skyImage), std::move(check))) {}
+                           std::function<void()> check)
+    : impl_(std::make_unique<Impl>(settings, std::move(models), std::move(check))) {}
 
 VtkBenchHost::~VtkBenchHost() {
   impl_->first.window()->MakeCurrent();
@@ -140,7 +139,8 @@ FrameSeconds VtkBenchHost::frame(bool technique) {
 const ReferenceScene& VtkBenchHost::tracedScene(const Scene& scene) {
   Impl& d = *impl_;
   if (!d.traced || !(*d.tracedOf == scene)) {
-    d.traced = std::make_unique<ReferenceScene>(scene, d.models, d.skyImage);
+    const SceneOfDrawnSky drawn = withDrawnSky(scene);
+    d.traced = std::make_unique<ReferenceScene>(drawn.scene, d.models, drawn.skyImage);
     d.tracedOf = scene;
   }
   return *d.traced;

@@ -21,7 +21,7 @@ class VtkBenchHost : public BenchHost {
   /// `settings`: of the window, of the size of the frames that are timed. `check` is called between pieces of work and
   /// may throw.
   VtkBenchHost(const OffscreenSettings& settings, std::vector<std::shared_ptr<const Model>> models,
-               std::shared_ptr<const ImageRgbaF> skyImage, std::function<void()> check);
+               std::function<void()> check);
   ~VtkBenchHost() override;
 
   std::vector<LitPoint> surfaces(const Scene& scene, const Camera& camera, int width, int height) override;

@@ -122,7 +122,8 @@ ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, con
   settings.full = options.full;
   settings.part = part;
   settings.diffuse = std::move(diffuse);
-  return ReferenceScene(loaded.scene, loaded.models, loadSkyImage(loaded.scene)).render(camera, settings, progress);
+  const SceneOfDrawnSky drawn = withDrawnSky(loaded.scene);
+  return ReferenceScene(drawn.scene, loaded.models, drawn.skyImage).render(camera, settings, progress);
 }
 
 /// The chain a probe of this filter holds is blurred already.

@@ -80,12 +80,22 @@ std::string probeLine(const Json& p) {
   return line;
 }
 
+std::string lightLine(const Json& l) {
+  const bool directional = l["type"] == "directional";
+  return word(l["type"]) + (directional ? ", direction " + vector3(l["direction"]) : ", at " + vector3(l["position"])) +
+         ", colour " + vector3(l["color"]) + ", intensity " + numberText(l["intensity"].get<double>());
+}
+
 std::string skyLine(const Json& sky) {
   if (sky["kind"] == "color") return "colour " + vector3(sky["color"]);
   if (sky["kind"] == "image") {
     std::string line = word(sky["file"]) + ", " + word(sky["width"]) + " x " + word(sky["height"]);
     if (sky.contains("cubeView")) line += ", a " + word(sky["layout"]) + " seen from " + word(sky["cubeView"]);
-    return sky.contains("rotationDegrees") ? line + ", turned by " + word(sky["rotationDegrees"]) + " degrees" : line;
+    if (sky.contains("rotationDegrees")) line += ", turned by " + word(sky["rotationDegrees"]) + " degrees";
+    if (!sky.contains("sunLight")) return line;
+    const Json& sun = sky["sunLight"];
+    return line + "\n  its sun was taken out and is drawn as a light: " + lightLine(sun) + ", " +
+           numberText(sun["angleDegrees"].get<double>()) + " degrees wide";
   }
   return "top " + vector3(sky["top"]) + ", horizon " + vector3(sky["horizon"]) + ", ground " + vector3(sky["ground"]);
 }
@@ -93,12 +103,6 @@ std::string skyLine(const Json& sky) {
 std::string cameraLine(const Json& c) {
   return word(c["name"]) + ": at " + vector3(c["position"]) + ", towards " + vector3(c["target"]) + ", " +
          numberText(c["verticalFovDegrees"].get<double>()) + " degrees high";
-}
-
-std::string lightLine(const Json& l) {
-  const bool directional = l["type"] == "directional";
-  return word(l["type"]) + (directional ? ", direction " + vector3(l["direction"]) : ", at " + vector3(l["position"])) +
-         ", colour " + vector3(l["color"]) + ", intensity " + numberText(l["intensity"].get<double>());
 }
 
 std::string lampLine(const Json& l) {

@@ -166,11 +166,31 @@ Json probeReport(const Scene& scene, const SceneLamps& lamps, const Probe& probe
           {"textureBytes", probeTextureBytes(probe.faceSize, lit)}};
 }
 
-Json skyReport(const Sky& sky, Json& warnings) {
+Json lightReport(const Light& light) {
+  const bool directional = light.type == LightType::Directional;
+  const char* const types[] = {"directional", "point", "spot"};
+  Json report = {{"type", types[static_cast<int>(light.type)]},
+                 {directional ? "direction" : "position", vector3(directional ? light.direction : light.position)},
+                 {"color", vector3(light.color)},
+                 {"intensity", light.intensity}};
+  if (light.type == LightType::Spot) {
+    report["direction"] = vector3(light.direction);
+    report["innerConeDegrees"] = light.innerConeDegrees;
+    report["outerConeDegrees"] = light.outerConeDegrees;
+  }
+  if (light.shadows != LightShadows::None) {
+    report["shadows"] = light.shadows == LightShadows::Coverage ? "coverage" : "coverage+map";
+    report[directional ? "angleDegrees" : "radius"] = directional ? light.angleDegrees : light.radius;
+  }
+  return report;
+}
+
+Json skyReport(const Sky& sky, double rotationDegrees, Json& warnings) {
   if (const auto* color = std::get_if<SkyColor>(&sky)) return {{"kind", "color"}, {"color", vector3(color->color)}};
   if (const auto* image = std::get_if<SkyImage>(&sky)) {
-    SkyPictureNotes notes;
-    const ImageRgbaF pixels = loadSkyPicture(*image, &notes);  // one that cannot be read is found out here, too
+    const DrawnSky drawn = loadDrawnSky(*image);  // one that cannot be read is found out here, too
+    const SkyPictureNotes& notes = drawn.notes;
+    const ImageRgbaF& pixels = drawn.image;
     for (const std::string& sentence : notes.repairs.sentences()) warnings.push_back("sky.image: " + sentence);
     Json report = {{"kind", "image"},
                    {"file", image->file},
@@ -180,6 +200,10 @@ Json skyReport(const Sky& sky, Json& warnings) {
                    {"layout", choiceId(probeFields(), "imageLayout", static_cast<int>(notes.layout))}};
     if (notes.layout != CubeLayout::LatLong) {
       report["cubeView"] = choiceId(skyImageFields(), "cubeView", static_cast<int>(image->cubeView));
+    }
+    if (drawn.sun) {
+      report["sunLight"] = lightReport(lightOf(*drawn.sun, rotationDegrees));
+      report["sunLight"]["angleDegrees"] = drawn.sun->angleDegrees;
     }
     return report;
   }
@@ -215,25 +239,6 @@ Json cameraReport(const Camera& camera) {
   return report;
 }
 
-Json lightReport(const Light& light) {
-  const bool directional = light.type == LightType::Directional;
-  const char* const types[] = {"directional", "point", "spot"};
-  Json report = {{"type", types[static_cast<int>(light.type)]},
-                 {directional ? "direction" : "position", vector3(directional ? light.direction : light.position)},
-                 {"color", vector3(light.color)},
-                 {"intensity", light.intensity}};
-  if (light.type == LightType::Spot) {
-    report["direction"] = vector3(light.direction);
-    report["innerConeDegrees"] = light.innerConeDegrees;
-    report["outerConeDegrees"] = light.outerConeDegrees;
-  }
-  if (light.shadows != LightShadows::None) {
-    report["shadows"] = light.shadows == LightShadows::Coverage ? "coverage" : "coverage+map";
-    report[directional ? "angleDegrees" : "radius"] = directional ? light.angleDegrees : light.radius;
-  }
-  return report;
-}
-
 /// What was found of a bare model and what follows from it.
 Json fitReport(const ModelFit& fit) {
   const ModelSurvey& survey = fit.survey;
@@ -265,7 +270,7 @@ Json sceneReport(const LoadedScene& loaded) {
   }
   report["objects"] = objectsReport(loaded);
   Json pictures = Json::array();
-  report["sky"] = skyReport(scene.sky, pictures);
+  report["sky"] = skyReport(scene.sky, scene.skyRotationDegrees, pictures);
   if (scene.skyRotationDegrees != 0.0) report["sky"]["rotationDegrees"] = scene.skyRotationDegrees;
   for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
   for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));

@@ -86,6 +86,15 @@ void LightPanel::addSky(QFormLayout* form) {
                               });
                             });
   skyView_->setObjectName("skyView");
+  const auto& sun = fieldNamed(skyImageFields(), "sun");
+  skySun_ = addProbeChoice(form, tr("Its sun"), choicesOf(sun, {tr("As a light"), tr("In the picture")}), fieldTip(sun),
+                           [this](int value) {
+                             editor_.commit({skySun_}, tr("Set the sky's sun"), [value](Scene& scene) {
+                               auto* image = std::get_if<SkyImage>(&scene.sky);
+                               if (image != nullptr) image->sun = static_cast<SkySunForm>(value);
+                             });
+                           });
+  skySun_->setObjectName("skySun");
   const auto& lamps = fieldNamed(sceneFields(), "lamps");
   lamps_ = addProbeChoice(form, tr("Lamps"),
                           {{tr("As shapes"), static_cast<int>(LampForm::Shapes), choiceTip(lamps, LampForm::Shapes)},
@@ -279,6 +288,8 @@ void LightPanel::update() {
   const auto* image = std::get_if<SkyImage>(&scene.sky);
   showRow(skyView_, image != nullptr);
   if (image != nullptr) showChoice(skyView_, static_cast<int>(image->cubeView));
+  showRow(skySun_, image != nullptr);
+  if (image != nullptr) showChoice(skySun_, static_cast<int>(image->sun));
   showChoice(lamps_, static_cast<int>(scene.lamps));
   if (lights_->count() != static_cast<int>(scene.lights.size())) {
     const QSignalBlocker quiet(lights_);

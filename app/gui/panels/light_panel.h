@@ -59,6 +59,7 @@ class LightPanel : public QWidget {
   QFormLayout* form_ = nullptr;
   ValueField* turn_ = nullptr;
   QComboBox* skyView_ = nullptr;  ///< of a cube in the sky's picture; only shown for a picture
+  QComboBox* skySun_ = nullptr;   ///< of the sky's picture; only shown for a picture
   QComboBox* lamps_ = nullptr;    ///< of the scene: how shining objects light diffuse surfaces
   QComboBox* lights_ = nullptr;
   VectorRow* place_ = nullptr;  ///< a directional light's direction, any other's position

@@ -85,7 +85,8 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
           return path->render(camera, settings, goesOn);
         };
       } else {
-        const auto reference = std::make_shared<const ReferenceScene>(scene, models, loadSkyImage(scene));
+        const SceneOfDrawnSky drawn = withDrawnSky(scene);
+        const auto reference = std::make_shared<const ReferenceScene>(drawn.scene, models, drawn.skyImage);
         render = [reference, &camera, &diffuse, goesOn](int width, int height, int rays) {
           ReferenceSettings settings;
           settings.width = width;

@@ -53,10 +53,16 @@ enum class CubeView {
   Outside,  ///< as OpenGL, Unity and CubeMapGen lay a cubemap out: right of +Z is +X
   Inside,   ///< as a viewer in its middle sees it, photographs: right of +Z is -X
 };
+/// What becomes of a sun in a picture of the surroundings.
+enum class SkySunForm {
+  Lamp,       ///< taken out of the picture and drawn as a directional light of its energy, direction and width
+  InPicture,  ///< stays; what half floats cannot hold is spread over the directions around it
+};
 /// Image of the surroundings (EXR or HDR), linear radiance: latitude-longitude, or a cube.
 struct SkyImage {
   std::string file;
   CubeView cubeView = CubeView::Outside;  ///< of a cube
+  SkySunForm sun = SkySunForm::Lamp;
   bool operator==(const SkyImage&) const;
 };
 using Sky = std::variant<SkyGradient, SkyColor, SkyImage>;

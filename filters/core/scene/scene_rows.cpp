@@ -129,6 +129,9 @@ const std::vector<FieldRow<SkyImage>>& skyImageFields() {
       field<&SkyImage::cubeView>("cubeView", "", "From where the faces of a cube in the image are seen.")
           .choose({{"outside", "as OpenGL and engines lay a cubemap out: right of +Z is +X"},
                    {"inside", "as in a photograph: right of +Z is -X, what a viewer in the middle has there"}}),
+      field<&SkyImage::sun>("sun", "", "What becomes of a sun in the image, a small bright disc.")
+          .choose({{"lamp", "it is drawn as a directional light, with its shadow, and taken out of the image"},
+                   {"in-picture", "it stays in the image"}}),
   };
   return rows;
 }

@@ -21,6 +21,9 @@ namespace {
 constexpr int kLargestLoadedFace = 4096;
 constexpr int kLargestAutomaticFace = 2048, kSmallestAutomaticFace = 16;  // limits of a probe's face size
 
+/// The last step of every way: what is beyond half floats.
+using Finish = std::function<void(LoadedCube&)>;
+
 /// A picture's value at a pixel: its colour, or its distance in the red channel.
 using PixelReader = std::function<glm::vec4(const CubeSource&, int column, int row)>;
 glm::vec4 colorAt(const CubeSource& source, int column, int row) {
@@ -119,7 +122,7 @@ void turnMaps(CubeMap& radiance, CubeMap& distance, const glm::mat3& mapFromWorl
   distance = nearestToCube(nearest, seen.faceSize());
 }
 
-LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
+LoadedCube fromBaked(BakedProbeFile file, int faceSize, const Finish& finish) {
   CubeMap finest(file.maps.radiance.faceSize(), 1);
   LoadedCube result;
   result.layout = CubeLayout::Strip;
@@ -137,7 +140,7 @@ LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
     turnMaps(finest, distance, glm::mat3(glm::transpose(rotationMatrix(file.maps.capturedRotation))));
   }
   convertCube(std::move(finest), std::move(distance), TexelPlacement::Centres, faceSize, result);
-  spreadBeyondHalf(result.radiance, result.repairs);
+  finish(result);
   return result;
 }
 
@@ -200,7 +203,8 @@ void convertPicture(const CubeSource& source, CubeLayout layout, int faceSize, C
   convertFaces(faces, faceSize, result);
 }
 
-LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode& code, CubeView view) {
+LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode& code, CubeView view,
+                        const Finish& finish) {
   const auto names = findSixNames(path);
   if (!names) {
     throw InputError(path +
@@ -234,24 +238,23 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode
   }
   faces.inside = fromInside(faces.openExr, view, result.repairs);
   convertFaces(faces, faceSize, result);
-  spreadBeyondHalf(result.radiance, result.repairs);
+  finish(result);
   return result;
 }
 
-}  // namespace
-
-LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, const PictureCode& code, CubeView view) {
+LoadedCube load(const std::string& path, CubeLayout layout, int faceSize, const PictureCode& code, CubeView view,
+                const Finish& finish) {
   if (faceSize < 0 || faceSize > kLargestLoadedFace || (faceSize & (faceSize - 1)) != 0) {
     throw InputError(path + ": a face size of " + std::to_string(faceSize) +
                      " was asked for; use a power of two up to " + std::to_string(kLargestLoadedFace));
   }
   std::error_code ignored;
   const bool pattern = path.find('%') != std::string::npos && !std::filesystem::exists(path, ignored);
-  if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize, code, view);
+  if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize, code, view, finish);
   // A baked probe has the exact level and its distances, which its part for other programs lacks.
   const bool mayBeBaked =
       (layout == CubeLayout::Automatic || layout == CubeLayout::Strip) && code.encoding == ImageEncoding::Linear;
-  if (mayBeBaked && bakedProbeMark(path)) return fromBaked(loadBakedProbe(path), faceSize);
+  if (mayBeBaked && bakedProbeMark(path)) return fromBaked(loadBakedProbe(path), faceSize, finish);
   CubeSource source = readCubeSource(path, code);
   if (layout == CubeLayout::Automatic) {
     layout = detectLayout(source);
@@ -263,7 +266,7 @@ LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, co
   const ImageRgbaF& image = source.picture.image;
   if (layout == CubeLayout::Automatic) {
     const bool square = source.picture.displayWidth == source.picture.displayHeight;
-    if (square || image.width == image.height) return loadSixFiles(path, faceSize, code, view);
+    if (square || image.width == image.height) return loadSixFiles(path, faceSize, code, view, finish);
     throw InputError(path + ": is " + sizeText(image.width, image.height) +
                      ", which is no layout of a cube; use a 2:1 latitude-longitude map, a 6:1 or 1:6 strip, a 4:3 or "
                      "3:4 cross, or six square files");
@@ -272,8 +275,25 @@ LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, co
   result.layout = layout;
   result.repairs = source.repairs;
   convertPicture(source, layout, faceSize, view, result);
-  spreadBeyondHalf(result.radiance, result.repairs);
+  finish(result);
   return result;
+}
+
+void spreadOut(LoadedCube& cube) {
+  spreadBeyondHalf(cube.radiance, cube.repairs);
+}
+
+}  // namespace
+
+LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, const PictureCode& code, CubeView view) {
+  return load(path, layout, faceSize, code, view, spreadOut);
+}
+
+LoadedCube loadSkyCube(const std::string& path, CubeLayout layout, CubeView view, std::optional<SkySun>* sun) {
+  return load(path, layout, 0, {}, view, [sun](LoadedCube& cube) {
+    if (sun != nullptr) *sun = takeSun(cube.radiance, cube.repairs.beyondHalf);
+    spreadOut(cube);
+  });
 }
 
 LoadedCube loadCustomCube(const Probe& probe, int faceSize) {

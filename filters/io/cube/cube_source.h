@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "filters/core/scene/scene.h"
 #include "filters/io/cube/cube_file.h"
 #include "filters/io/cube/picture_code.h"
+#include "filters/io/cube/sky_sun.h"
 #include "filters/io/image/exr_reader.h"
 
 namespace boxprobe {
@@ -31,6 +33,10 @@ CubeLayout layoutOfShape(long long width, long long height);
 /// Pads with black, or crops, to the display window, if the header gives one of another place or size. Throws
 /// InputError if that is too large.
 void fillDisplayWindow(CubeSource& source);
+
+/// A sky that is a cube, at its own resolution, as loadCube() reads it. `sun`: receives what takeSun() finds, before
+/// what is beyond half floats is spread; null: it stays. Throws InputError.
+LoadedCube loadSkyCube(const std::string& path, CubeLayout layout, CubeView view, std::optional<SkySun>* sun);
 
 /// "64 x 384 pixels"
 std::string sizeText(int width, int height);

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "filters/core/base/number_text.h"
-#include "filters/io/cube/cube_layout.h"
+#include "filters/io/cube/picture_sphere.h"
 
 namespace boxprobe {
 
@@ -59,15 +59,11 @@ void fillNan(float* rgb, const Neighbours& around) {
   }
 }
 
-float brightest(const float* rgb) {
-  return std::max({rgb[0], rgb[1], rgb[2]});
-}
-
 struct Sun {
   glm::dvec3 direction{0.0}, energy{0.0};
 };
 
-/// Texels of a sphere of directions: `Sphere` has count, rgba(i), direction(i) (unit length) and solidAngle(i).
+/// `Sphere`: picture_sphere.h.
 template <typename Sphere>
 class Spreading {
  public:
@@ -92,10 +88,10 @@ class Spreading {
     const float* from = sphere_.rgba(i);
     return {from[0], from[1], from[2]};
   }
-  bool beyond(std::size_t i) const { return brightest(sphere_.rgba(i)) > kHalfMax; }
+  bool beyond(std::size_t i) const { return brightestChannel(sphere_.rgba(i)) > kHalfMax; }
   /// What a texel has above the largest half float, at its hue, times its solid angle.
   glm::dvec3 excess(std::size_t i) const {
-    return sphere_.solidAngle(i) * (1.0 - static_cast<double>(kHalfMax) / brightest(sphere_.rgba(i))) * rgb(i);
+    return sphere_.solidAngle(i) * (1.0 - static_cast<double>(kHalfMax) / brightestChannel(sphere_.rgba(i))) * rgb(i);
   }
 
   /// Texels beyond the limit that lie near each other are one sun, in the direction of its energy's centre.
@@ -130,7 +126,7 @@ class Spreading {
     for (std::size_t i = 0; i < sphere_.count; ++i) {
       if (!beyond(i)) continue;
       float* to = sphere_.rgba(i);
-      const float scale = kHalfMax / brightest(to);
+      const float scale = kHalfMax / brightestChannel(to);
       for (int c = 0; c < 3; ++c) to[c] = std::min(to[c] * scale, kHalfMax);
     }
   }
@@ -140,7 +136,7 @@ class Spreading {
     double sum = 0.0;
     for (std::size_t i = 0; i < sphere_.count; ++i) {
       if (glm::dot(sphere_.direction(i), direction) < cosine) continue;
-      sum += sphere_.solidAngle(i) * std::max(kHalfMax - brightest(sphere_.rgba(i)), 0.0f);
+      sum += sphere_.solidAngle(i) * std::max(kHalfMax - brightestChannel(sphere_.rgba(i)), 0.0f);
     }
     return sum;
   }
@@ -161,7 +157,7 @@ class Spreading {
     for (std::size_t i = 0; i < sphere_.count; ++i) {
       if (glm::dot(sphere_.direction(i), sun.direction) < 1.0 - share) continue;
       float* to = sphere_.rgba(i);
-      const double taken = filled * std::max(kHalfMax - brightest(to), 0.0f) / most;
+      const double taken = filled * std::max(kHalfMax - brightestChannel(to), 0.0f) / most;
       for (int c = 0; c < 3; ++c) {
         to[c] = std::min(static_cast<float>(to[c] + taken * sun.energy[c]), kHalfMax);
       }
@@ -172,58 +168,6 @@ class Spreading {
   const Sphere& sphere_;
   PictureRepairs& repairs_;
   std::vector<Sun> suns_;
-};
-
-struct LatLongSphere {
-  explicit LatLongSphere(ImageRgbaF& image) : pixels(image.pixels), width(static_cast<std::size_t>(image.width)) {
-    count = pixels.size() / 4;
-    for (int x = 0; x < image.width; ++x) {
-      const double longitude = -kPi * texelCoordinate(x, image.width, TexelPlacement::Centres);
-      around.emplace_back(std::sin(longitude), 0.0, std::cos(longitude));
-    }
-    for (int y = 0; y < image.height; ++y) {
-      const double upper = 0.5 * kPi - kPi * y / image.height, lower = 0.5 * kPi - kPi * (y + 1) / image.height;
-      const double latitude = 0.5 * (upper + lower);
-      level.push_back(std::cos(latitude));
-      up.push_back(std::sin(latitude));
-      area.push_back(2.0 * kPi / image.width * (std::sin(upper) - std::sin(lower)));
-    }
-  }
-  float* rgba(std::size_t i) const { return &pixels[4 * i]; }
-  glm::dvec3 direction(std::size_t i) const {
-    const std::size_t row = i / width;
-    const glm::dvec3& a = around[i % width];
-    return {level[row] * a.x, up[row], level[row] * a.z};
-  }
-  double solidAngle(std::size_t i) const { return area[i / width]; }
-
-  std::vector<float>& pixels;
-  std::size_t width, count = 0;
-  std::vector<glm::dvec3> around;
-  std::vector<double> level, up, area;
-};
-
-struct CubeSphere {
-  explicit CubeSphere(CubeMap& cube) : map(cube), size(static_cast<std::size_t>(cube.faceSize())) {
-    count = 6 * size * size;
-  }
-  float* rgba(std::size_t i) const { return map.face(0, 0) + 4 * i; }
-  glm::dvec3 onFace(std::size_t i) const {
-    const std::size_t texel = i % (size * size);
-    const auto along = [this](std::size_t at) {
-      return static_cast<float>((2.0 * static_cast<double>(at) + 1.0) / static_cast<double>(size) - 1.0);
-    };
-    return shading::cubeDirection(static_cast<int>(i / (size * size)), along(texel % size), along(texel / size));
-  }
-  glm::dvec3 direction(std::size_t i) const { return glm::normalize(onFace(i)); }
-  double solidAngle(std::size_t i) const {
-    const glm::dvec3 d = onFace(i);
-    const double square = glm::dot(d, d), side = 2.0 / static_cast<double>(size);
-    return side * side / (square * std::sqrt(square));
-  }
-
-  CubeMap& map;
-  std::size_t size, count = 0;
 };
 
 }  // namespace
@@ -256,7 +200,7 @@ void repairNotFinite(ImageRgbaF& image, bool wraps, PictureRepairs& repairs) {
 void limitRadiance(ImageRgbaF& image, PictureRepairs& repairs) {
   for (std::size_t texel = 0; texel < image.pixels.size(); texel += 4) {
     float* rgba = &image.pixels[texel];
-    const float most = brightest(rgba);
+    const float most = brightestChannel(rgba);
     if (most > kHalfMax) ++repairs.beyondHalf;
     if (std::min({rgba[0], rgba[1], rgba[2]}) < 0.0f) ++repairs.negative;
     const float scale = most > kMostRadiance ? kMostRadiance / most : 1.0f;

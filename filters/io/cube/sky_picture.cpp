@@ -8,7 +8,9 @@
 
 namespace boxprobe {
 
-ImageRgbaF loadSkyPicture(const SkyImage& image, SkyPictureNotes* notes) {
+namespace {
+
+ImageRgbaF read(const SkyImage& image, SkyPictureNotes& notes, std::optional<SkySun>* sun) {
   const std::string& path = image.file;
   const std::string extension = lowerExtension(path);
   if (extension != ".exr" && extension != ".hdr") {
@@ -18,17 +20,33 @@ ImageRgbaF loadSkyPicture(const SkyImage& image, SkyPictureNotes* notes) {
   const CubeLayout layout = detectLayout(found);
   if (layout != CubeLayout::Strip && layout != CubeLayout::Cross) {
     if (layout == CubeLayout::Automatic) fillDisplayWindow(found);
+    if (sun != nullptr) *sun = takeSun(found.picture.image, found.repairs.beyondHalf);
     spreadBeyondHalf(found.picture.image, found.repairs);
-    if (notes != nullptr) *notes = {CubeLayout::LatLong, std::move(found.repairs)};
+    notes = {CubeLayout::LatLong, std::move(found.repairs)};
     return std::move(found.picture.image);
   }
-  LoadedCube cube = loadCube(path, layout, 0, {}, image.cubeView);
-  if (notes != nullptr) *notes = {layout, std::move(cube.repairs)};
+  LoadedCube cube = loadSkyCube(path, layout, image.cubeView, sun);
+  notes = {layout, std::move(cube.repairs)};
   // The same number of texels around the horizon as in the cube.
   const int size = cube.radiance.faceSize();
   constexpr int kSamples = 2;  // along each axis
   const auto source = [&cube](const glm::vec3& direction) { return cube.radiance.fetch(direction, 0.0f); };
   return resampleToLatLong(source, 4 * size, 2 * size, kSamples);
+}
+
+}  // namespace
+
+ImageRgbaF loadSkyPicture(const SkyImage& image, SkyPictureNotes* notes) {
+  SkyPictureNotes found;
+  ImageRgbaF pixels = read(image, found, nullptr);
+  if (notes != nullptr) *notes = std::move(found);
+  return pixels;
+}
+
+DrawnSky loadDrawnSky(const SkyImage& image) {
+  DrawnSky sky;
+  sky.image = read(image, sky.notes, image.sun == SkySunForm::Lamp ? &sky.sun : nullptr);
+  return sky;
 }
 
 }  // namespace boxprobe

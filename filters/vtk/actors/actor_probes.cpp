@@ -130,7 +130,7 @@ void ActorProbes::setSky(const Sky& sky, double rotationDegrees) {
   check(next);
   std::swap(parts_->content.scene, next);
   try {
-    parts_->content.rebuildSky();
+    parts_->content.rebuildSky(true);
   } catch (const Error&) {
     std::swap(parts_->content.scene, next);
     throw;

@@ -138,6 +138,7 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
       pass.firstBounce = item_->reflectNothing;
       pass.firstBouncePrograms = item_->reflectNothing && item_->firstBouncePrograms;
       pass.movingShadowsOn = false;
+      pass.sunDisc = false;
     });
     capture_->captureFace(item_->settings, face, source.props, source.lights, source_,
                           item_->sky ? nullptr : &maps_->distance);

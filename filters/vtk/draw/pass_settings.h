@@ -44,6 +44,7 @@ struct PassSettings {
   std::shared_ptr<const ProbeSight> sight;
   bool movingShadowsOn = true;  ///< off in captures of static objects
   bool countDraws = true;       ///< on for the frame on the screen, off for captures
+  bool sunDisc = true;          ///< a sun that is drawn as a light shows in the sky, too; not in captures
   int frame = 0;                ///< number among averaged frames
   glm::ivec2 pixelOrigin{0};    ///< position of the framebuffer's lower left in the picture
   /// The plane of the mirror whose picture is being drawn, view space; see mirrored_output.glsl.
@@ -53,8 +54,9 @@ struct PassSettings {
   bool operator==(const PassSettings& o) const {
     return exposure == o.exposure && dragging == o.dragging && debug == o.debug && capture == o.capture &&
            firstBounce == o.firstBounce && firstBouncePrograms == o.firstBouncePrograms && sight == o.sight &&
-           movingShadowsOn == o.movingShadowsOn && countDraws == o.countDraws && frame == o.frame &&
-           pixelOrigin == o.pixelOrigin && heightPlaneView == o.heightPlaneView && behind == o.behind;
+           movingShadowsOn == o.movingShadowsOn && sunDisc == o.sunDisc && countDraws == o.countDraws &&
+           frame == o.frame && pixelOrigin == o.pixelOrigin && heightPlaneView == o.heightPlaneView &&
+           behind == o.behind;
   }
 };
 

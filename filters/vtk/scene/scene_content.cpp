@@ -224,17 +224,41 @@ void SceneContent::rebuildLights(vtkRenderer* renderer) {
   for (auto& light : lights) renderer->AddLight(light);
 }
 
-void SceneContent::rebuildSky() {
+bool SceneContent::setScene(const Scene& wanted, bool newSky) {
+  const std::vector<Light> before(scene.lights.begin() + static_cast<std::ptrdiff_t>(lightsGiven), scene.lights.end());
+  scene = wanted;
+  lightsGiven = scene.lights.size();
+  if (newSky) rebuildSky();
+  std::vector<Light> now;
+  if (sun_) now.push_back(lightOf(*sun_, scene.skyRotationDegrees));
+  scene.lights.insert(scene.lights.end(), now.begin(), now.end());
+  return now != before;
+}
+
+Scene SceneContent::givenScene() const {
+  Scene without = scene;
+  without.lights.resize(lightsGiven);
+  return without;
+}
+
+void SceneContent::rebuildSky(bool sunStays) {
   const auto* image = std::get_if<SkyImage>(&scene.sky);
   if (image == nullptr) {
     skyImage.reset();
     skyNotes = {};
+    sun_.reset();
     skyImageRead_.reset();
   } else if (!(skyImageRead_ == *image)) {
-    skyImage = std::make_shared<ImageRgbaF>(loadSkyPicture(*image, &skyNotes));
+    SkyImage wanted = *image;
+    if (sunStays) wanted.sun = SkySunForm::InPicture;
+    DrawnSky drawn = loadDrawnSky(wanted);
+    skyImage = std::make_shared<ImageRgbaF>(std::move(drawn.image));
+    skyNotes = std::move(drawn.notes);
+    sun_ = drawn.sun;
     skyImageRead_ = *image;
   }
   sky->SetSky(scene.sky, scene.skyRotationDegrees, skyImage);
+  sky->SetSun(sun_);
 }
 
 Box SceneContent::bounds() const {

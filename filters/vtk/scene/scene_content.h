@@ -36,6 +36,7 @@ struct SceneContent {
   SightLinesMaker sightLines;                  ///< traces what hides lamps; null: nothing does
   std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
   SkyPictureNotes skyNotes;                    ///< of that image
+  std::size_t lightsGiven = 0;  ///< of scene.lights; behind them the sun of the sky's image, if it has one
 
   /// Bounds of all visible objects; a box around the origin if there are none.
   Box bounds() const;
@@ -62,8 +63,14 @@ struct SceneContent {
   /// counts by itself. Returns whether the lamps changed.
   bool findLamps();
   bool probesDrawn = true;  ///< false: no probe is drawn, and so no lamp as a shape
-  /// Reads the sky's image if it has a new one. Throws InputError.
-  void rebuildSky();
+  /// Reads the sky's image if it has a new one. Throws InputError. Its sun, if it is to be drawn as a light, is taken
+  /// out of it, unless `sunStays`: lights are others' there.
+  void rebuildSky(bool sunStays = false);
+  /// Sets the scene, with the sun of the sky's image behind its lights; `newSky`: rebuilds the sky. Returns whether the
+  /// sun is another. Throws InputError.
+  bool setScene(const Scene& given, bool newSky);
+  /// The scene as it was set, without that sun.
+  Scene givenScene() const;
   std::string skyImageFile() const { return skyImageRead_ ? skyImageRead_->file : std::string(); }
 
  private:
@@ -73,6 +80,7 @@ struct SceneContent {
   std::vector<std::shared_ptr<const Model>> builtModels_;  ///< the source of the objects
   std::vector<std::string> builtFiles_;
   std::optional<SkyImage> skyImageRead_;
+  std::optional<SkySun> sun_;  ///< of the sky's image
   std::string lampsKey_;
   std::shared_ptr<const SceneLamps> foundLamps_;
   std::vector<bool> lightsAlone_;

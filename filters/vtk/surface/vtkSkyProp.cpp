@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 #include <tuple>
 #include <utility>
 
@@ -48,15 +50,16 @@ boxprobe::FullScreenPass& vtkSkyProp::ChosenPass() {
                                : background == boxprobe::Background::Blurred ? "#define BP_SKY_MAP\n"
                                : this->Image                                 ? "#define BP_SKY_IMAGE\n"
                                                                              : "";
+  const std::string sun = this->Sun && this->State->pass().sunDisc ? "#define BP_SKY_SUN\n" : "";
   const bool quick = this->State->tuning != nullptr;
-  const std::string key = switches + boxprobe::displayKey(resources.tone, quick);
+  const std::string key = switches + sun + boxprobe::displayKey(resources.tone, quick);
   const auto found = this->Passes.find(key);
   if (found != this->Passes.end()) {
     return found->second;
   }
-  const std::string source = switches + boxprobe::joinShaderSources({"shared/sky.glsl", "gpu/output_uniforms.glsl"}) +
-                             boxprobe::displaySource(resources.tone, quick) +
-                             boxprobe::joinShaderSources({"gpu/sky.glsl"});
+  const std::string source =
+      switches + sun + boxprobe::joinShaderSources({"shared/sky.glsl", "gpu/output_uniforms.glsl"}) +
+      boxprobe::displaySource(resources.tone, quick) + boxprobe::joinShaderSources({"gpu/sky.glsl"});
   return this->Passes
       .emplace(std::piecewise_construct, std::forward_as_tuple(key),
                std::forward_as_tuple("gpu/sky.glsl", source, &this->State->counts.counters, "gpu/sky_vertex.glsl"))
@@ -149,6 +152,17 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
       program->SetUniformf("bpSkyLevel", static_cast<float>(vtkSkyProp::BlurredLevel(*this->State->resources.sky)));
     } else if (image) {
       program->SetUniformi("bpSkyImage", image->unit());
+    }
+    if (program->IsUniformUsed("bpSunRadiance")) {
+      const double radius = 0.5 * glm::radians(this->Sun->angleDegrees), sine = std::sin(radius);
+      constexpr double kMost = 65504.0;  // of half floats
+      const glm::vec3 towards(this->Sun->towards);
+      const glm::vec3 radiance(
+          glm::min(glm::dvec3(this->Sun->irradiance) / (3.14159265358979323846 * sine * sine), kMost));
+      program->SetUniform3f("bpSunTowards", &towards.x);
+      // The chord to the edge: cosines of small angles are all near 1.
+      program->SetUniformf("bpSunRadius", static_cast<float>(2.0 * std::sin(0.5 * radius)));
+      program->SetUniform3f("bpSunRadiance", &radiance.x);
     }
     if (program->IsUniformUsed("bpColor")) {
       const glm::vec3 light = boxprobe::lightShownAs(this->BackgroundColor, this->State->resources.tone) /

@@ -14,10 +14,12 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/io/cube/sky_sun.h"
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 
@@ -29,6 +31,11 @@ class vtkSkyProp : public vtkProp {
       void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** `image` for a SkyImage, else null. */
   void SetSky(const boxprobe::Sky& sky, double rotationDegrees, std::shared_ptr<const boxprobe::ImageRgbaF> image);
+  /** A sun that was taken out of the image: shown as an even disc where it is looked at, not in captures. */
+  void SetSun(const std::optional<boxprobe::SkySun>& sun) {
+    this->Sun = sun;
+    this->Modified();
+  }
   /** Rotation of the sky, applied after `rotationDegrees`: takes a world direction to the sampled one. */
   void SetSkyFromWorld(const glm::dmat3& skyFromWorld);
 
@@ -61,6 +68,7 @@ class vtkSkyProp : public vtkProp {
   double RotationDegrees = 0.0;
   glm::dmat3 SkyFromWorld{1.0};
   std::shared_ptr<const boxprobe::ImageRgbaF> Image;
+  std::optional<boxprobe::SkySun> Sun;
   unsigned int ImageTexture = 0;
   bool ImageChanged = false;
   boxprobe::Background Shown = boxprobe::Background::Environment;
