@@ -32,7 +32,8 @@ void bpFindSights(vec3 position, vec3 normal)
     from = transpose(bpSightTurn[slot]) * from;
     n = transpose(bpSightTurn[slot]) * n;
 #endif
-    vec3 texel = bpSightAt[slot] + sightPlace(lattice, from, n) + vec3(0.5f);
+    // As bpTexelSteps: wherever in the texture the lattice lies.
+    vec3 texel = bpSightAt[slot] + floor(sightPlace(lattice, from, n) * 8192.0f + 0.5f) / 8192.0f + vec3(0.5f);
     for (int part = 0; part < bpSightParts[slot]; ++part)
     {
       bpSeenShares[4 * slot + part] = textureLod(bpSights, texel * bpSightTexel, 0.0f);

@@ -11,6 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "data/scenes/glb_writer.h"
+#include "data/scenes/scenes.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/cli/program.h"
 
 namespace boxprobe::test {
@@ -117,6 +120,26 @@ TEST_F(BakeFarm, SharesMakeTheFilesOfOneProcess) {
   // A file of the name that shows something else.
   const Outcome stale = bake({"--list", "--set", "probes.a.faceSize=32"});
   EXPECT_THAT(stale.out, HasSubstr("stale    a\n"));
+}
+
+// What the nodes of all probes see lies in one texture: where a probe's share of it begins must not show in a bit.
+TEST_F(BakeFarm, AProbeAmongManyIsAsItIsAlone) {
+  scenes::Apartments made = scenes::apartments(16, 1);
+  folder_.write("room.glb", scenes::glbBytes(made.model));
+  made.scene.models = {ModelFile{folder_.path("room.glb")}};
+  for (Probe& probe : made.scene.probes) {
+    probe.faceSize = 32;
+    probe.samplesPerPixel = 1;
+  }
+  saveSceneFile(made.scene, folder_.path("room.boxprobe.json"));
+  ASSERT_EQ(bake({}, "whole").exitStatus, 0);
+  ASSERT_EQ(bake({"--probe", "room 7"}, "alone").exitStatus, 0);
+  ASSERT_EQ(bake({"--probe", "room 16"}, "alone").exitStatus, 0);
+  for (const char* name : {"room 7.exr", "room 16.exr"}) {
+    EXPECT_EQ(readFile(folder_.path(std::string("alone/") + name)),
+              readFile(folder_.path(std::string("whole/") + name)))
+        << name;
+  }
 }
 
 TEST_F(BakeFarm, BouncesOneAtATimeContinueFromFiles) {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/gui/panels/light_panel.h"
+#include "app/gui/view/viewport.h"
 #include "app/gui/widgets/value_field.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/pictures.h"
@@ -91,6 +92,40 @@ TEST_F(LightTest, TheSkyIsTurnedInOneStep) {
   document().undo();
   EXPECT_EQ(document().scene().skyRotationDegrees, 0.0);
   EXPECT_FALSE(document().canUndo());
+}
+
+TEST_F(LightTest, ASkyWithoutAPictureIsNotTurnedByTheHand) {
+  drag({120.0, 40.0}, {180.0, 40.0}, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(document().scene().skyRotationDegrees, 0.0);
+  EXPECT_FALSE(document().canUndo());
+}
+
+class SkyPictureTest : public LightTest {
+ protected:
+  LoadedScene scene() const override {
+    LoadedScene loaded = smallBuilding();
+    loaded.scene.sky = SkyImage{BOXPROBE_DATA_DIR "/scenes/sky.hdr"};
+    return loaded;
+  }
+  double turned() const { return document().scene().skyRotationDegrees; }
+};
+
+// What is straight ahead stays under the pointer; a drag is one step, and so is each press of a key.
+TEST_F(SkyPictureTest, FollowsTheHandAndTheKeys) {
+  const Camera before = window_->renderer().currentCamera();
+  drag({120.0, 40.0}, {180.0, 45.0}, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_NEAR(turned(), -60.0 * before.verticalFovDegrees / window_->viewport().height(), 0.06);
+  EXPECT_EQ(window_->renderer().currentCamera().position, before.position) << "the camera was moved";
+  document().undo();
+  EXPECT_EQ(turned(), 0.0) << "more than one step";
+  EXPECT_FALSE(document().canUndo());
+  key(Qt::Key_Left, Qt::AltModifier);
+  key(Qt::Key_Left, Qt::AltModifier);
+  EXPECT_EQ(turned(), 10.0);
+  key(Qt::Key_Right, Qt::AltModifier);
+  EXPECT_EQ(turned(), 5.0);
+  document().undo();
+  EXPECT_EQ(turned(), 10.0);
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ void CameraController::leaveAxisView() {
 void CameraController::begin(Motion motion, const QPointF& pixel) {
   motion_ = motion;
   last_ = pixel;
+  skyDegrees_ = 0.0;
   vtkCamera* camera = hooks_.camera();
   if (motion == Motion::Look) pivot_ = eyeOf(camera);
   if (motion != Motion::Orbit) return;
@@ -73,6 +74,7 @@ void CameraController::begin(Motion motion, const QPointF& pixel) {
 }
 
 void CameraController::end() {
+  if (motion_ == Motion::Sky) emit skyTurnEnded();
   motion_ = Motion::None;
   // E and Q fly only while the button is held.
   keyUp(Qt::Key_E);
@@ -84,6 +86,11 @@ bool CameraController::move(const QPointF& pixel, double viewportHeight) {
   last_ = pixel;
   if (motion_ == Motion::None || delta.isNull()) return false;
   vtkCamera* camera = hooks_.camera();
+  if (motion_ == Motion::Sky) {
+    skyDegrees_ -= delta.x() * camera->GetViewAngle() / std::max(viewportHeight, 1.0);
+    emit skyTurned(skyDegrees_);
+    return false;
+  }
   if (motion_ == Motion::Orbit || motion_ == Motion::Look) leaveAxisView();
   if (motion_ == Motion::Orbit) {
     turnCamera(camera, pivot_, delta.x() * kDegreesPerPixel, -delta.y() * kDegreesPerPixel);

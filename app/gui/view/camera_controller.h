@@ -23,7 +23,7 @@ class CameraController : public QObject {
   Q_OBJECT
 
  public:
-  enum class Motion { None, Orbit, Pan, Zoom, Look };
+  enum class Motion { None, Orbit, Pan, Zoom, Look, Sky };
   struct Hooks {
     std::function<vtkCamera*()> camera;
     std::function<Ray(const QPointF& pixel)> ray;
@@ -60,6 +60,10 @@ class CameraController : public QObject {
 
  signals:
   void moved();  ///< by keys
+  /// By a drag that began with Motion::Sky: what turns the sky about +Y so that it follows the pointer, degrees since
+  /// then.
+  void skyTurned(double degrees);
+  void skyTurnEnded();
 
  private:
   void fly();
@@ -71,6 +75,7 @@ class CameraController : public QObject {
   Motion motion_ = Motion::None;
   QPointF last_;
   glm::dvec3 pivot_{0.0};
+  double skyDegrees_ = 0.0;
   std::set<int> keys_;
   bool fast_ = false, walking_ = false;
   double speed_ = 1.0;  ///< times what the scene's size gives

@@ -37,6 +37,7 @@ CameraController::Motion motionFor(Qt::MouseButton button, Qt::KeyboardModifiers
   if (button == Qt::MiddleButton) return Motion::Pan;
   if (button == Qt::RightButton) return Motion::Look;
   if (button != Qt::LeftButton) return Motion::None;
+  if (modifiers.testFlag(Qt::ShiftModifier) && modifiers.testFlag(Qt::ControlModifier)) return Motion::Sky;
   if (modifiers.testFlag(Qt::ShiftModifier)) return Motion::Pan;
   if (modifiers.testFlag(Qt::ControlModifier)) return Motion::Zoom;
   return Motion::Orbit;
@@ -72,6 +73,8 @@ void Viewport::setCamera(std::function<vtkCamera*()> camera, std::function<std::
   const auto ray = [this](const QPointF& pixel) { return view().ray({pixel.x(), pixel.y()}); };
   cameraController_.setHooks({camera_, ray, std::move(meet), std::move(bounds)});
   connect(&cameraController_, &CameraController::moved, this, &Viewport::cameraMoved);
+  connect(&cameraController_, &CameraController::skyTurned, this, &Viewport::skyTurned);
+  connect(&cameraController_, &CameraController::skyTurnEnded, this, &Viewport::skyTurnEnded);
 }
 
 void Viewport::setProbeWidget(ProbeWidget* widget) {

@@ -47,6 +47,9 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
  signals:
   void cameraMoved();
+  /// As of CameraController: Ctrl, Shift and the left button dragged.
+  void skyTurned(double degrees);
+  void skyTurnEnded();
   void becameReady();
   /// Over the picture, no button held; logical pixels.
   void pointerMoved(const QPointF& position);

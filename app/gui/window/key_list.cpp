@@ -25,6 +25,8 @@ QString keyTable() {
       {QT_TRANSLATE_NOOP("Keys", "Double click; Shift+P"),
        QT_TRANSLATE_NOOP("Keys", "selects the probe that lights this place; where the camera stands")},
       {QT_TRANSLATE_NOOP("Keys", "[ and ]"), QT_TRANSLATE_NOOP("Keys", "exposure: darker, brighter")},
+      {QT_TRANSLATE_NOOP("Keys", "Ctrl+Shift and drag; Alt+Left, Right"),
+       QT_TRANSLATE_NOOP("Keys", "turns the sky's picture; by 5 degrees")},
       {QT_TRANSLATE_NOOP("Keys", "Right click"), QT_TRANSLATE_NOOP("Keys", "what can be done here")},
       {QT_TRANSLATE_NOOP("Keys", "Drag elsewhere"),
        QT_TRANSLATE_NOOP("Keys", "turns about the point under the pointer")},

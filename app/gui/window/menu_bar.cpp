@@ -172,6 +172,9 @@ void MenuBar::buildExposure() {
     const auto tone = static_cast<int>(tones_->actions().size()) - 1;
     connect(action, &QAction::triggered, this, [this, tone] { emit toneChosen(tone); });
   }
+  QMenu* sky = view_->addMenu(tr("Turn the s&ky"));
+  add(sky, tr("To the &left"), QKeySequence("Alt+Left"), &MenuBar::skyLeftRequested);
+  add(sky, tr("To the &right"), QKeySequence("Alt+Right"), &MenuBar::skyRightRequested);
   QMenu* backgrounds = view_->addMenu(tr("Back&ground"));
   backgrounds->setObjectName("backgrounds");
   backgrounds_ = new QActionGroup(this);

@@ -81,6 +81,8 @@ class MenuBar : public QObject {
   void backgroundChosen(int background);
   void groundShadowSwitched(bool on);
   void ambientOcclusionSwitched(bool on);
+  void skyLeftRequested();
+  void skyRightRequested();
   void brighterRequested();
   void darkerRequested();
   void exposeRequested();

@@ -21,6 +21,7 @@
 #include "app/gui/view/compare_wipe.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/shown_scene.h"
+#include "app/gui/view/sky_turn.h"
 #include "app/gui/view/view_comparison.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/view/whole_view.h"
@@ -107,6 +108,12 @@ void ViewTools::connectViews() {
   connect(menu, &MenuBar::renameCameraRequested, pictureMenu_, &PictureMenu::renameCamera, Qt::QueuedConnection);
   connect(menu, &MenuBar::updateCameraRequested, views_, &ViewCommands::updateCamera, Qt::QueuedConnection);
   connect(menu, &MenuBar::deleteCameraRequested, views_, &ViewCommands::deleteCamera, Qt::QueuedConnection);
+  auto* sky = new SkyTurn(parts_.editor, this);
+  connect(menu, &MenuBar::skyLeftRequested, sky, [sky] { sky->turnBy(SkyTurn::kStep); });
+  connect(menu, &MenuBar::skyRightRequested, sky, [sky] { sky->turnBy(-SkyTurn::kStep); });
+  connect(&parts_.viewport, &Viewport::skyTurned, sky, &SkyTurn::drag);
+  connect(&parts_.viewport, &Viewport::skyTurnEnded, sky, &SkyTurn::endDrag);
+  connect(sky, &SkyTurn::message, &parts_.status, &StatusLine::showMessage);
   connect(views_, &ViewCommands::cameraMoved, &parts_.viewport, &Viewport::cameraMoved);
   auto* axes = new AxisGizmo([this] { return parts_.viewport.view(); }, &parts_.viewport);
   connect(axes, &AxisGizmo::chosen, views_, &ViewCommands::lookAlong);
