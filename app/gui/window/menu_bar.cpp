@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/gui/widgets/tool_icons.h"
+#include "app/gui/window/language_menu.h"
 #include "filters/core/scene/document.h"
 
 namespace boxprobe {
@@ -87,6 +88,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
                          &MenuBar::projectorSwitched);
   projector_->setChecked(false);
   buildThemes();
+  addLanguageMenu(view_, window);
   view_->addSeparator();
 
   QMenu* debug = window->menuBar()->addMenu(tr("&Debug"));

@@ -39,6 +39,7 @@
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/panel_section.h"
+#include "app/gui/widgets/table_words.h"
 #include "app/gui/window/inspectors.h"
 #include "app/gui/window/menu_bar.h"
 #include "filters/core/base/errors.h"
@@ -238,9 +239,7 @@ void PanelDocks::buildDebug() {
   add(tr("Debug"), "debug", scrolled(debugView.panel()));
   SurfaceViewPanel* views = debugView.surfacePanel();
   QStringList names;
-  for (const SurfaceViewRow& row : surfaceViews()) {
-    names.append(QString::fromUtf8(row.label.data(), static_cast<int>(row.label.size())));
-  }
+  for (const SurfaceViewRow& row : surfaceViews()) names.append(tableWords(row.label));
   parts_.menu.addSurfaceViews(names);
   connect(&parts_.menu, &MenuBar::surfaceViewChosen, views, &SurfaceViewPanel::choose);
   connect(views, &SurfaceViewPanel::changed, &parts_.menu,
