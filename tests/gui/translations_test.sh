@@ -17,7 +17,7 @@ for language in de zh_CN; do
   (cd "$project" && "$lupdate" app -I . -extensions cpp,h -no-obsolete -locations none -ts "$copy") >"$folder/log" 2>&1 ||
     { cat "$folder/log"; exit 1; }
   if ! diff <(sources "$committed") <(sources "$copy") >"$folder/difference"; then
-    echo "boxprobe_$language.ts: not up to date (<: no longer in the source, >: not yet translated); app/gui/translations/README.md says how"
+    echo "boxprobe_$language.ts: not up to date (<: no longer in the source, >: not yet translated); see app/gui/translations/README.md"
     cat "$folder/difference"
     failed=1
   fi
