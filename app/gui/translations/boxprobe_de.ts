@@ -1363,7 +1363,7 @@
     </message>
     <message>
         <source>HDRP / Frostbite hardening</source>
-        <translation>Schärfung nach HDRP / Frostbite</translation>
+        <translation>HDRP-/Frostbite-Schärfung</translation>
     </message>
     <message>
         <source>Sharper by the angle under which the capture origin sees the lobe&apos;s patch of wall.</source>
@@ -1523,7 +1523,7 @@
     </message>
     <message>
         <source>Blur by roughness</source>
-        <translation>Schärfe nach Rauheit</translation>
+        <translation>Unschärfe je Rauheit</translation>
     </message>
     <message>
         <source>How blurred the reflection is at each roughness: the curve to the mip level. Own is what the levels were filtered for; the others show a mismatch.</source>
@@ -1764,7 +1764,7 @@
     </message>
     <message>
         <source>Save files...</source>
-        <translation>Dateien speichern...</translation>
+        <translation>Speichern...</translation>
     </message>
     <message>
         <source>Writes every baked probe to an OpenEXR file in a folder. In the folder beside the scene they are loaded instead of captured</source>
@@ -2565,7 +2565,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Simple: one probe, no blending</source>
-        <translation>Einfach: eine Sonde, kein Überblenden</translation>
+        <translation>Einfach: eine Sonde</translation>
     </message>
     <message>
         <source>Blend probes</source>
@@ -2573,7 +2573,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Blend probes and sky</source>
-        <translation>Sonden und Himmel überblenden</translation>
+        <translation>Sonden und Himmel</translation>
     </message>
     <message>
         <source>At each pixel</source>
@@ -2736,7 +2736,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Face %1 alone can take %2 off the mean: click its button</source>
-        <translation>Fläche %1 allein kann das Mittel um %2 senken: ihren Knopf anklicken</translation>
+        <translation>Fläche %1 senkt das Mittel um %2: Knopf klicken</translation>
     </message>
     <message>
         <source>No face alone can take %1 off the mean</source>
@@ -2900,7 +2900,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Faces seen from</source>
-        <translation>Flächen gesehen von</translation>
+        <translation>Flächensicht</translation>
     </message>
     <message>
         <source>Outside</source>
@@ -2916,7 +2916,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Image turned by</source>
-        <translation>Bild gedreht um</translation>
+        <translation>Bilddrehung</translation>
     </message>
     <message>
         <source>Encoding</source>
@@ -3374,7 +3374,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Sky turned by</source>
-        <translation>Himmel gedreht um</translation>
+        <translation>Himmelsdrehung</translation>
     </message>
     <message>
         <source>Turn the sky</source>
@@ -3382,7 +3382,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Faces seen from</source>
-        <translation>Flächen gesehen von</translation>
+        <translation>Flächensicht</translation>
     </message>
     <message>
         <source>Outside</source>
@@ -3498,7 +3498,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>By coverage, and for moving objects</source>
-        <translation>Nach Abdeckung, und für bewegte Objekte</translation>
+        <translation>Abdeckung und bewegte Objekte</translation>
     </message>
     <message>
         <source>shadows</source>
@@ -3580,7 +3580,7 @@ eine Abfrage, auf Fläche %1</translation>
     <name>boxprobe::MaterialPanel</name>
     <message>
         <source>Reset to the model&apos;s own</source>
-        <translation>Wert des Modells wiederherstellen</translation>
+        <translation>Auf Modellwert zurücksetzen</translation>
     </message>
     <message>
         <source>Material</source>
@@ -4181,7 +4181,7 @@ eine Abfrage, auf Fläche %1</translation>
     <name>boxprobe::ObjectPanel</name>
     <message>
         <source>Moving object: baked probes do not capture it</source>
-        <translation>Bewegtes Objekt: gebackene Sonden nehmen es nicht auf</translation>
+        <translation>Bewegtes Objekt: nicht in gebackenen Sonden</translation>
     </message>
     <message>
         <source>Reflects objects that move</source>
@@ -4272,7 +4272,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation>Hinzufügen</translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Adds a probe captured at the centre of the view, with its box fitted to the scene</source>
@@ -4280,7 +4280,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Duplizieren</translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copies the selected probes, a little aside (Ctrl+D)</source>
@@ -5044,19 +5044,19 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Bevel</source>
-        <translation>Abschrägung</translation>
+        <translation>Fase</translation>
     </message>
     <message>
         <source>Bevel by roughness</source>
-        <translation>Abschrägung nach Rauheit</translation>
+        <translation>Fase je Rauheit</translation>
     </message>
     <message>
         <source>Box occlusion</source>
-        <translation>Verdeckung der Box</translation>
+        <translation>Boxverdeckung</translation>
     </message>
     <message>
         <source>box occlusion</source>
-        <translation>Verdeckung der Box</translation>
+        <translation>Boxverdeckung</translation>
     </message>
     <message>
         <source>Multiplier</source>

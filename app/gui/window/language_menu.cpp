@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QMainWindow>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QStatusBar>
 
 #include "app/gui/widgets/window_language.h"
@@ -29,7 +30,7 @@ void addLanguageMenu(QMenu* view, QMainWindow* window) {
       keepLanguage(code);
       window->statusBar()->showMessage(
           QCoreApplication::translate("LanguageMenu", "Language: %1, when the window is opened the next time")
-              .arg(QString(name).remove('&')));
+              .arg(QString(name).remove(QRegularExpression("\\(&.\\)|&"))));
     });
   };
   add(QString(), QCoreApplication::translate("LanguageMenu", "&System"),

@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QToolBar>
 #include <algorithm>
@@ -268,7 +269,8 @@ void MenuBar::buildHandles(QMenu* edit) {
   const auto addMode = [&](HandleMode mode, ToolIcon icon, const QString& text, const QString& key,
                            const QString& tip) {
     QAction* action = menu->addAction(toolIcon(icon), text);
-    action->setIconText(QString(text).remove('&'));
+    static const QRegularExpression kLetter("\\(&.\\)|&");  // to press with Alt, behind the text in Chinese
+    action->setIconText(QString(text).remove(kLetter));
     action->setObjectName("handles" + key);
     action->setCheckable(true);
     action->setShortcut(QKeySequence(key));

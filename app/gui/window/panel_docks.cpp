@@ -81,7 +81,7 @@ QDockWidget* PanelDocks::add(const QString& title, const char* name, QWidget* co
   dock->setWidget(content);
   if (first_ == nullptr) {
     first_ = dock;
-    window_->addDockWidget(Qt::RightDockWidgetArea, dock);
+    window_->addDockWidget(window_->isRightToLeft() ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, dock);
     window_->resizeDocks({dock}, {kPanelWidth}, Qt::Horizontal);
   } else {
     window_->tabifyDockWidget(first_, dock);
@@ -106,7 +106,7 @@ void PanelDocks::buildOutliner() {
   dock->setObjectName("outliner");
   dock->setWidget(outliner_);
   dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-  window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
+  window_->addDockWidget(window_->isRightToLeft() ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea, dock);
   parts_.menu.addDockToggle(dock->toggleViewAction());
 }
 
