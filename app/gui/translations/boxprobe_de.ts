@@ -2549,7 +2549,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>Colours the surfaces by their number of lookups, like the view &quot;Lookups&quot; of the Debug tab</source>
-        <translation>Färbt die Oberflächen nach der Zahl ihrer Abfragen, wie die Ansicht „Lookups“ des Reiters Debug</translation>
+        <translation>Färbt die Oberflächen nach der Zahl ihrer Abfragen, wie die Ansicht „Abfragen“ des Reiters Debug</translation>
     </message>
     <message>
         <source>Draws the picture many times with parts of it left out, and tells how much time each part takes</source>

@@ -2549,7 +2549,7 @@ one lookup, on face %1</source>
     </message>
     <message>
         <source>Colours the surfaces by their number of lookups, like the view &quot;Lookups&quot; of the Debug tab</source>
-        <translation>按查询次数给表面着色，与“调试”标签页的“Lookups”视图相同</translation>
+        <translation>按查询次数给表面着色，与“调试”标签页的“查询次数”视图相同</translation>
     </message>
     <message>
         <source>Draws the picture many times with parts of it left out, and tells how much time each part takes</source>
