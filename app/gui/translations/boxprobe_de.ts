@@ -2740,7 +2740,7 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>No face alone can take %1 off the mean</source>
-        <translation>Keine Fläche allein kann das Mittel um %1 senken</translation>
+        <translation>Keine Fläche allein senkt das Mittel um %1</translation>
     </message>
     <message>
         <source>Mean error of what leaves the box through this face: %1 % of the reflections</source>
