@@ -285,6 +285,17 @@ TEST_F(GermanWindowTest, NothingIsCutOnASmallScreen) {
     }
   }
   tabs->setCurrentIndex(0);
+  window_->resize(1024, 700);
+  for (const char* name : {"cubemap", "debug", "explain", "cost", "frame", "probes"}) {
+    auto* dock = window_->findChild<QDockWidget*>(name);
+    ASSERT_NE(dock, nullptr) << name;
+    dock->raise();
+    waitUntilIdle();
+    for (const std::string& each : cutTexts(*window_)) ADD_FAILURE() << name << ": " << each;
+    if (const char* out = std::getenv("BOXPROBE_TEST_OUTPUT")) {
+      window_->grab().save(QString(out) + QString("/de-dock-%1.png").arg(name));
+    }
+  }
 }
 
 TEST_F(GermanWindowTest, NoTwoCommandsOfAMenuShareALetter) {
