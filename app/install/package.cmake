@@ -55,6 +55,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME boxprobe)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-dejavu-core")
+# Qt's own texts in the languages of the window.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "qttranslations5-l10n | qt6-translations-l10n")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "reflection probe editor with box projection
 Places reflection probes in models, bakes them, draws them with box
 projection in physically based shading, and explains any reflected pixel.")

@@ -10,6 +10,8 @@
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
+  qputenv("LC_ALL", "C.UTF-8");  // windows of programs started by tests are English, whatever the tester's language
+  qunsetenv("LANGUAGE");
   boxprobe::setSurfaceFormat();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   // Compiled shaders are Mesa's to keep, for every program that draws the same.

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "app/gui/widgets/table_words.h"
+
 namespace boxprobe {
 
 namespace {
@@ -39,12 +41,12 @@ ValueField::Format fieldFormat(const FieldInfo& field, double step, int decimals
 }
 
 QString fieldTip(const FieldInfo& field, const FieldValue& standard) {
-  const QString help = text(field.help), value = defaultText(field, standard);
+  const QString help = tableWords(field.help), value = defaultText(field, standard);
   return value.isEmpty() ? help : QCoreApplication::translate("FieldForm", "%1 Default: %2").arg(help, value);
 }
 
 QString choiceTip(const FieldInfo& field, int choice) {
-  QString help = text(field.choices.at(static_cast<std::size_t>(choice)).help);
+  QString help = tableWords(field.choices.at(static_cast<std::size_t>(choice)).help);
   if (!help.isEmpty()) help[0] = help[0].toUpper();
   return help;
 }

@@ -116,7 +116,9 @@ void GaugeRows::refresh() {
                                    .arg(100.0 * each.share, 0, 'f', each.share < 0.1 ? 1 : 0));
     QToolButton* snap = snaps_[index];
     snap->setVisible(each.gainDegrees >= countedGain(gauge->errors.meanDegrees));
-    snap->setText(QString::fromUtf8("\u2212") + degreesText(each.gainDegrees));
+    // A sign that stays before its number in a window from right to left.
+    const QString sign = QString::fromUtf8(isRightToLeft() ? "\u200e\u2212" : "\u2212");
+    snap->setText(sign + degreesText(each.gainDegrees));
     snap->setToolTip(snapHint(*gauge, face));
     snap->setProperty("worst", worst);
     snap->setStyleSheet(worst ? worstStyle("QToolButton") : QString());

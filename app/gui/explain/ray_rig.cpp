@@ -6,6 +6,7 @@
 #include <vtkRenderer.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -96,21 +97,27 @@ std::vector<std::string> RayRig::objects() {
 std::vector<RaySample> RayRig::samples() {
   switch (settings_.source) {
     case RaySource::Pointer:
-      if (!explained_) status_ = "Move the pointer over a surface with the Explain tool on (E).";
+      if (!explained_)
+        status_ = QCoreApplication::translate("RayRig", "Move the pointer over a surface with the Explain tool on (E).")
+                      .toStdString();
       return explained_ ? std::vector<RaySample>{*explained_} : std::vector<RaySample>();
     case RaySource::Clicked:
-      if (clicks_.empty()) status_ = "Click surfaces with the Explain tool on (E).";
+      if (clicks_.empty())
+        status_ = QCoreApplication::translate("RayRig", "Click surfaces with the Explain tool on (E).").toStdString();
       return clicks_;
     case RaySource::Object: {
       const std::string object = !settings_.object.empty() ? settings_.object
                                  : clicks_.empty()         ? ""
                                                            : clicks_.back().object;
-      if (object.empty()) status_ = "Choose an object, or click one with the Explain tool on (E).";
+      if (object.empty())
+        status_ = QCoreApplication::translate("RayRig", "Choose an object, or click one with the Explain tool on (E).")
+                      .toStdString();
       return object.empty() ? std::vector<RaySample>() : sources().over(object, settings_.count);
     }
     case RaySource::Line: {
       if (clicks_.size() < 2) {
-        status_ = "Click the two ends with the Explain tool on (E).";
+        status_ =
+            QCoreApplication::translate("RayRig", "Click the two ends with the Explain tool on (E).").toStdString();
         return {};
       }
       const RaySample& from = clicks_[clicks_.size() - 2];

@@ -11,6 +11,7 @@
 
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
+#include "app/gui/widgets/table_words.h"
 #include "app/gui/widgets/value_field.h"
 #include "filters/core/base/fixed_text.h"
 #include "filters/explain/explanation_sections.h"
@@ -40,8 +41,8 @@ SurfaceViewPanel::SurfaceViewPanel(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   QFormLayout* form = addSection(this, tr("Surfaces"));
   for (const SurfaceViewRow& row : surfaceViews()) {
-    combo_->addItem(text(row.label), text(row.id));
-    combo_->setItemData(combo_->count() - 1, text(row.help), Qt::ToolTipRole);
+    combo_->addItem(tableWords(row.label), text(row.id));
+    combo_->setItemData(combo_->count() - 1, tableWords(row.help), Qt::ToolTipRole);
   }
   combo_->setObjectName("surfaceView");
   combo_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -83,7 +84,7 @@ void SurfaceViewPanel::choose(int view) {
   lock_->setChecked(settings_.low.has_value());
   const SurfaceViewRow& row = surfaceViews()[static_cast<std::size_t>(view)];
   rangeRow_->setEnabled(row.kind == ViewKind::Scalar);
-  help_->setText(text(row.help));
+  help_->setText(tableWords(row.help));
   for (ValueField* field : {low_, high_})
     field->setSuffix(row.unit == "degrees" ? QString::fromUtf8("\u00b0") : QString());
   apply();
@@ -114,7 +115,7 @@ void SurfaceViewPanel::apply() {
 
 QString surfaceViewReadout(const SurfaceViewRow& row, const Explanation& explanation) {
   const auto value = surfaceValue(row, explanation);
-  const QString label = text(row.label) + ": ";
+  const QString label = tableWords(row.label) + ": ";
   if (!value)
     return label + (explanation.hit ? SurfaceViewPanel::tr("undefined here") : SurfaceViewPanel::tr("background"));
   const auto number = [](float x) { return QString::fromStdString(fixedText(x, 3)); };
@@ -125,7 +126,7 @@ QString surfaceViewReadout(const SurfaceViewRow& row, const Explanation& explana
       break;
     case ViewKind::Scalar:
       shown = number(value->x);
-      if (!row.unit.empty()) shown += " " + text(row.unit);
+      if (!row.unit.empty()) shown += " " + tableWords(row.unit);
       break;
     case ViewKind::Picture:
     case ViewKind::Color:

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/table_words.h"
 #include "app/lessons/lesson_measure.h"
 #include "filters/core/scene/surface_view.h"
 
@@ -99,8 +100,7 @@ QString measureLabel(const LessonMeasure& measure) {
       return LessonTaskBox::tr("Angle off the right lookup, degrees");
     case MeasureKind::View:
       if (const auto row = findSurfaceView(measure.name)) {
-        const std::string_view label = surfaceViews()[static_cast<std::size_t>(*row)].label;
-        return QString::fromUtf8(label.data(), static_cast<int>(label.size()));
+        return tableWords(surfaceViews()[static_cast<std::size_t>(*row)].label);
       }
       break;
     case MeasureKind::Fit:

@@ -14,16 +14,13 @@ namespace {
 
 const QColor kGood(0x6c, 0xc2, 0x6c), kWaiting(0xff, 0xb3, 0x1a), kBusy(0x5a, 0xb0, 0xff), kUnused(0x85, 0x8a, 0x92);
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("BakeState", text);
-}
-
 QString goodText(const Probe& probe) {
-  if (probe.mode == ProbeMode::Realtime) return tr("Follows the scene");
+  if (probe.mode == ProbeMode::Realtime) return QCoreApplication::translate("BakeState", "Follows the scene");
   if (probe.mode == ProbeMode::Custom) {
-    return tr("Custom image %1").arg(QFileInfo(QString::fromStdString(probe.image)).fileName());
+    return QCoreApplication::translate("BakeState", "Custom image %1")
+        .arg(QFileInfo(QString::fromStdString(probe.image)).fileName());
   }
-  return tr("Up to date");
+  return QCoreApplication::translate("BakeState", "Up to date");
 }
 
 }  // namespace
@@ -32,20 +29,25 @@ BakeStateLook bakeStateLook(const Probe& probe, BakeState state, bool stopped) {
   const bool custom = probe.mode == ProbeMode::Custom;
   switch (state) {
     case BakeState::NotUsed:
-      return {tr("Not used: its influence box reaches no visible object"), kUnused, false};
+      return {QCoreApplication::translate("BakeState", "Not used: its influence box reaches no visible object"),
+              kUnused, false};
     case BakeState::Stale:
-      if (stopped) return {tr("Out of date: capturing was stopped"), kWaiting, false};
-      return {custom ? tr("Waiting for an image") : tr("Out of date: waiting for capture"), kWaiting, false};
+      if (stopped)
+        return {QCoreApplication::translate("BakeState", "Out of date: capturing was stopped"), kWaiting, false};
+      return {custom ? QCoreApplication::translate("BakeState", "Waiting for an image")
+                     : QCoreApplication::translate("BakeState", "Out of date: waiting for capture"),
+              kWaiting, false};
     case BakeState::Capturing:
-      if (probe.mode == ProbeMode::Realtime) return {tr("Follows the scene"), kBusy, true};
-      return {stopped  ? tr("Out of date: capturing was stopped")
-              : custom ? tr("Filtering the image")
-                       : tr("Capturing"),
+      if (probe.mode == ProbeMode::Realtime)
+        return {QCoreApplication::translate("BakeState", "Follows the scene"), kBusy, true};
+      return {stopped  ? QCoreApplication::translate("BakeState", "Out of date: capturing was stopped")
+              : custom ? QCoreApplication::translate("BakeState", "Filtering the image")
+                       : QCoreApplication::translate("BakeState", "Capturing"),
               stopped ? kWaiting : kBusy, !stopped};
     case BakeState::UpToDate:
       return {goodText(probe), kGood, true};
     case BakeState::FromFile:
-      return {tr("Loaded from disk, up to date"), kGood, true};
+      return {QCoreApplication::translate("BakeState", "Loaded from disk, up to date"), kGood, true};
   }
   return {};
 }

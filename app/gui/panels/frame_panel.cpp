@@ -15,6 +15,7 @@
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
+#include "app/gui/widgets/table_words.h"
 
 namespace boxprobe {
 
@@ -157,7 +158,7 @@ void FramePanel::measureCosts() {
              QObject::tr("%1. Quartiles: %2 to %3 ms").arg(help).arg(cost.low, 0, 'f', 2).arg(cost.high, 0, 'f', 2));
   };
   QTreeWidgetItem* parts = section(tr("Costs of the frame"));
-  for (const FrameCosts::Row& row : costs.parts) add(parts, text(row.name), row.cost, text(row.help));
+  for (const FrameCosts::Row& row : costs.parts) add(parts, tableWords(row.name), row.cost, tableWords(row.help));
   add(parts, tr("of these, drawn over"), costs.overdraw, tr("Pixels that are worked out and then covered"));
   QTreeWidgetItem* objects = section(tr("Costs of objects' pixels"));
   for (const FrameCosts::Row& row : costs.objects) add(objects, text(row.name), row.cost, text(row.name));

@@ -7,6 +7,7 @@
 
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/widgets/quiet_combo.h"
+#include "app/gui/widgets/table_words.h"
 #include "filters/math/technique/technique_table.h"
 
 namespace boxprobe {
@@ -20,9 +21,8 @@ QComboBox* comboOf(const Rows& rows, const QString& tip, QWidget* parent) {
   auto* combo = new QuietCombo(parent);
   combo->setToolTip(tip);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const QString help = QString::fromUtf8(rows[i].help.data(), static_cast<int>(rows[i].help.size()));
-    combo->addItem(QString::fromUtf8(rows[i].label.data(), static_cast<int>(rows[i].label.size())),
-                   static_cast<int>(i));
+    const QString help = tableWords(rows[i].help);
+    combo->addItem(tableWords(rows[i].label), static_cast<int>(i));
     combo->setItemData(combo->count() - 1, help, kHelpRole);
     combo->setItemData(combo->count() - 1, help, Qt::ToolTipRole);
   }

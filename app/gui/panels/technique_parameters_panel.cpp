@@ -13,6 +13,7 @@
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/edit/selected_probes.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/table_words.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/scene/technique_parameters.h"
 
@@ -69,7 +70,9 @@ bool someTechniqueReads(const ParameterRow& parameter) {
 
 QString defaultText(const ParameterRow& p) {
   if (p.kind == ParameterKind::Choice) return choiceWords(p, static_cast<std::size_t>(p.standard)).text;
-  if (p.kind == ParameterKind::Switch) return p.standard != 0.0 ? "on" : "off";
+  if (p.kind == ParameterKind::Switch)
+    return p.standard != 0.0 ? QCoreApplication::translate("Choices", "on")
+                             : QCoreApplication::translate("Choices", "off");
   return (QString::number(p.standard) + " " + text(p.unit)).trimmed();
 }
 
@@ -86,7 +89,7 @@ TechniqueParametersPanel::TechniqueParametersPanel(Editor& editor, QWidget* pare
     Row& row = rows_.back();
     row.field->setObjectName(text(parameter.name));
     row.label = form_->labelForField(row.field);
-    const QString tip = tr("%1 Default: %2.").arg(text(parameter.help), defaultText(parameter));
+    const QString tip = tr("%1 Default: %2.").arg(tableWords(parameter.help), defaultText(parameter));
     row.field->setToolTip(tip);
     row.label->setToolTip(tip);
   }
@@ -104,7 +107,7 @@ TechniqueParametersPanel::Row TechniqueParametersPanel::addNumber(const Paramete
   const double least = p.min > 0.0 ? std::max(p.min, std::pow(10.0, -decimals)) : p.min;
   const ValueField::Format format{least, p.max, p.unit.empty() ? 1.0 : 0.1, decimals,
                                   p.unit.empty() ? QString() : " " + text(p.unit)};
-  auto* field = addProbeNumber(editor_, form_, text(p.label), format, text(p.help),
+  auto* field = addProbeNumber(editor_, form_, tableWords(p.label), format, tableWords(p.help),
                                [&p](Probe& probe, double value) { setParameter(probe, p, value); });
   return {&p, nullptr, field, [field](double number) { field->show(number); }};
 }
@@ -112,17 +115,19 @@ TechniqueParametersPanel::Row TechniqueParametersPanel::addNumber(const Paramete
 TechniqueParametersPanel::Row TechniqueParametersPanel::addChoice(const ParameterRow& p) {
   QVector<ProbeChoice> choices;
   for (std::size_t i = 0; i < p.choices.size(); ++i) choices.push_back(choiceWords(p, i));
-  const QString what = text(p.label).toLower();
-  QComboBox* combo = addProbeChoice(form_, text(p.label), choices, text(p.help), [this, &p, what](int value) {
-    editor_.commitProbe(probeEditLabel(editor_, what), [&p, value](Probe& probe) { setParameter(probe, p, value); });
-  });
+  const QString what = tableWords(p.label).toLower();
+  QComboBox* combo =
+      addProbeChoice(form_, tableWords(p.label), choices, tableWords(p.help), [this, &p, what](int value) {
+        editor_.commitProbe(probeEditLabel(editor_, what),
+                            [&p, value](Probe& probe) { setParameter(probe, p, value); });
+      });
   return {&p, nullptr, combo, [combo](double number) { showChoice(combo, static_cast<int>(number)); }};
 }
 
 TechniqueParametersPanel::Row TechniqueParametersPanel::addSwitch(const ParameterRow& p) {
   auto* box = new QCheckBox(this);
-  addRow(form_, text(p.label), box);
-  const QString what = text(p.label).toLower();
+  addRow(form_, tableWords(p.label), box);
+  const QString what = tableWords(p.label).toLower();
   connect(box, &QCheckBox::clicked, this, [this, &p, what](bool on) {
     editor_.commitProbe(probeEditLabel(editor_, what), [&p, on](Probe& probe) { setParameter(probe, p, on ? 1 : 0); });
   });

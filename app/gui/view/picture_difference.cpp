@@ -35,11 +35,11 @@ std::optional<LightDifference> lightDifference(const ImageRgbaF& picture, const 
 }
 
 QString lightText(const LightDifference& difference) {
-  const auto words = [](const char* plain) { return QCoreApplication::translate("PictureDifference", plain); };
-  const QString text =
-      words("light %1, RMSE %2").arg(difference.light, 0, 'f', 2).arg(difference.relativeRmse, 0, 'f', 2);
+  const QString text = QCoreApplication::translate("PictureDifference", "light %1, RMSE %2")
+                           .arg(difference.light, 0, 'f', 2)
+                           .arg(difference.relativeRmse, 0, 'f', 2);
   if (difference.noise < 0.1 * difference.relativeRmse) return text;
-  return text + words(", noise %1").arg(difference.noise, 0, 'f', 2);
+  return text + QCoreApplication::translate("PictureDifference", ", noise %1").arg(difference.noise, 0, 'f', 2);
 }
 
 QColor differenceColor(double difference) {

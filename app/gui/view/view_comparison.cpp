@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/gui/view/picture_difference.h"
+#include "app/gui/widgets/table_words.h"
 #include "filters/core/base/errors.h"
 #include "filters/math/technique/technique_table.h"
 
@@ -17,36 +18,33 @@ constexpr int kStillMilliseconds = 300;  ///< after the camera has moved or the 
 constexpr int kPollMilliseconds = 30;
 const QString kTechnique = "technique:";
 
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
-}
-
-QString words(const char* plain) {
-  return ViewComparison::tr(plain);
-}
-
 QString errorText(const QImage& picture, const QImage& truth) {
   const double psnr = displayPsnr(picture, truth);
-  if (std::isinf(psnr)) return words("No difference");
-  return words("Error %1 %, %2 dB").arg(100.0 * pictureDifference(picture, truth).mean, 0, 'f', 1).arg(psnr, 0, 'f', 1);
+  if (std::isinf(psnr)) return ViewComparison::tr("No difference");
+  return ViewComparison::tr("Error %1 %, %2 dB")
+      .arg(100.0 * pictureDifference(picture, truth).mean, 0, 'f', 1)
+      .arg(psnr, 0, 'f', 1);
 }
 
 }  // namespace
 
 std::vector<CompareViews::Choice> viewChoices() {
   std::vector<CompareViews::Choice> choices = {
-      {"", words("Nothing"), {}},
-      {"now", words("As it is now"), words("The scene as it is edited")},
-      {"traced", words("Ray traced"),
-       words("All light of the scene, path traced in the background, with as many bounces as the probes have. The "
-             "others are measured by it")},
-      {"before", words("Before"), words("The scene as it was when the views were opened")},
-      {"baked", words("All probes baked"), words("Every realtime probe captured and filtered as a baked one")},
-      {"live", words("All probes live"), words("Every baked probe captured as a realtime one")}};
+      {"", ViewComparison::tr("Nothing"), {}},
+      {"now", ViewComparison::tr("As it is now"), ViewComparison::tr("The scene as it is edited")},
+      {"traced", ViewComparison::tr("Ray traced"),
+       ViewComparison::tr(
+           "All light of the scene, path traced in the background, with as many bounces as the probes have. The "
+           "others are measured by it")},
+      {"before", ViewComparison::tr("Before"), ViewComparison::tr("The scene as it was when the views were opened")},
+      {"baked", ViewComparison::tr("All probes baked"),
+       ViewComparison::tr("Every realtime probe captured and filtered as a baked one")},
+      {"live", ViewComparison::tr("All probes live"),
+       ViewComparison::tr("Every baked probe captured as a realtime one")}};
   const auto add = [&choices](const auto& row, const std::string& id) {
     if (const auto technique = parseTechnique(id)) {
-      choices.push_back({kTechnique + QString::fromStdString(shortTechniqueId(*technique)), text(row.label),
-                         words("Every probe by this technique: %1").arg(text(row.help))});
+      choices.push_back({kTechnique + QString::fromStdString(shortTechniqueId(*technique)), tableWords(row.label),
+                         ViewComparison::tr("Every probe by this technique: %1").arg(tableWords(row.help))});
     }
   };
   for (const ProjectionRow& row : projectionRows()) add(row, std::string(row.id));

@@ -42,9 +42,13 @@ bool keptAside(const QString& path) {
   QString aside = path + ".unreadable";
   for (int copy = 2; QFileInfo::exists(aside); ++copy) aside = path + ".unreadable-" + QString::number(copy);
   const bool kept = QFile::rename(path, aside);
-  const char* line = kept ? "%1: cannot be read as settings; it is kept as %2, and settings start anew"
-                          : "%1: cannot be read as settings, nor renamed to %2; settings last until the window closes";
-  remarks() += QCoreApplication::translate("Settings", line).arg(path, aside);
+  const QString line =
+      kept
+          ? QCoreApplication::translate("Settings",
+                                        "%1: cannot be read as settings; it is kept as %2, and settings start anew")
+          : QCoreApplication::translate(
+                "Settings", "%1: cannot be read as settings, nor renamed to %2; settings last until the window closes");
+  remarks() += line.arg(path, aside);
   return kept;
 }
 

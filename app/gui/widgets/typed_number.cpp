@@ -14,10 +14,6 @@ bool isMark(QChar c) {
   return c == '.' || c == ',' || c == kArabicMark;
 }
 
-QString words(const char* plain) {
-  return QCoreApplication::translate("TypedNumber", plain);
-}
-
 }  // namespace
 
 TypedNumber typedNumber(const QString& text) {
@@ -44,18 +40,21 @@ TypedNumber typedNumber(const QString& text) {
       ++marks;
       plain += '.';
     } else {
-      result.why = words("\"%1\" is not a number").arg(typed);
+      result.why = QCoreApplication::translate("TypedNumber", "\"%1\" is not a number").arg(typed);
       return result;
     }
   }
   if (marks > 1) {
     result.why =
-        words("\"%1\" has more than one separator: type one decimal mark and no separator of thousands").arg(typed);
+        QCoreApplication::translate(
+            "TypedNumber", "\"%1\" has more than one separator: type one decimal mark and no separator of thousands")
+            .arg(typed);
   } else if (mixed) {
-    result.why = words("\"%1\" mixes digits of two scripts").arg(typed);
+    result.why = QCoreApplication::translate("TypedNumber", "\"%1\" mixes digits of two scripts").arg(typed);
   } else if (digits == 0) {
     result.unfinished = true;
-    result.why = typed.isEmpty() ? words("A number is missing") : words("\"%1\" is not a number").arg(typed);
+    result.why = typed.isEmpty() ? QCoreApplication::translate("TypedNumber", "A number is missing")
+                                 : QCoreApplication::translate("TypedNumber", "\"%1\" is not a number").arg(typed);
   } else {
     result.value = QLocale::c().toDouble(plain);
   }

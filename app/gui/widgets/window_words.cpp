@@ -7,13 +7,12 @@
 namespace boxprobe {
 
 QString windowWords(const QString& sentence) {
-  const auto words = [](const char* plain) { return QCoreApplication::translate("WindowWords", plain); };
   static const QRegularExpression unit("\\? --set models\\.0\\.unit=\\S+"), up(", --set models\\.0\\.upAxis=\\S+"),
       set("[,;]? ?(or )?--set \\S+"), kind(", or use --as interior"), lossy("; --lossy .*$");
   QString text = sentence;
-  text.replace(unit, "? " + words("Choose it under Model > Unit and up axis"));
-  text.replace(up, ", " + words("choose it under Model > Unit and up axis"));
-  text.replace(kind, ", " + words("or choose Model > Treat as > Interior"));
+  text.replace(unit, "? " + QCoreApplication::translate("WindowWords", "Choose it under Model > Unit and up axis"));
+  text.replace(up, ", " + QCoreApplication::translate("WindowWords", "choose it under Model > Unit and up axis"));
+  text.replace(kind, ", " + QCoreApplication::translate("WindowWords", "or choose Model > Treat as > Interior"));
   text.remove(lossy);
   text.remove(set);
   return text;

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/widgets/window_language.h"
 #include "app/gui/window/key_list.h"
 
 namespace boxprobe {
@@ -18,6 +19,12 @@ namespace boxprobe {
 namespace {
 
 constexpr int kWidth = 760, kHeight = 600;
+
+/// Of a language other than English.
+QString unreviewed() {
+  if (shownLanguage() == "en") return {};
+  return "<p>" + QObject::tr("This translation has not been reviewed by a native speaker yet.") + "</p>";
+}
 
 }  // namespace
 
@@ -31,7 +38,7 @@ QDialog* aboutDialog(QWidget* parent) {
       QObject::tr(
           "Orange: the projection box. Dashed: the probe has its full weight inside. Built on VTK, Qt, OpenEXR and "
           "GLM.") +
-      "</p>";
+      "</p>" + unreviewed();
   auto* dialog = new QDialog(parent);
   dialog->setObjectName("about");
   dialog->setWindowTitle(QObject::tr("About Boxprobe"));

@@ -23,7 +23,7 @@ LessonDock::LessonDock(LessonView& lessons, QMainWindow* window)
   dock_->setObjectName("lessons");
   dock_->setWidget(lessons.panel());
   dock_->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-  window->addDockWidget(Qt::LeftDockWidgetArea, dock_);
+  window->addDockWidget(window->isRightToLeft() ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea, dock_);
   // In the outliner's place while a lesson is open: beside both, little would be left of the picture.
   auto* outliner = window->findChild<QDockWidget*>("outliner");
   if (outliner != nullptr) window->tabifyDockWidget(outliner, dock_);

@@ -7,12 +7,14 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QToolBar>
 #include <algorithm>
 #include <utility>
 
 #include "app/gui/widgets/tool_icons.h"
+#include "app/gui/window/language_menu.h"
 #include "filters/core/scene/document.h"
 
 namespace boxprobe {
@@ -87,6 +89,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
                          &MenuBar::projectorSwitched);
   projector_->setChecked(false);
   buildThemes();
+  addLanguageMenu(view_, window);
   view_->addSeparator();
 
   QMenu* debug = window->menuBar()->addMenu(tr("&Debug"));
@@ -269,7 +272,8 @@ void MenuBar::buildHandles(QMenu* edit) {
   const auto addMode = [&](HandleMode mode, ToolIcon icon, const QString& text, const QString& key,
                            const QString& tip) {
     QAction* action = menu->addAction(toolIcon(icon), text);
-    action->setIconText(QString(text).remove('&'));
+    static const QRegularExpression kLetter("\\(&.\\)|&");  // to press with Alt, behind the text in Chinese
+    action->setIconText(QString(text).remove(kLetter));
     action->setObjectName("handles" + key);
     action->setCheckable(true);
     action->setShortcut(QKeySequence(key));

@@ -39,6 +39,7 @@
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/panel_section.h"
+#include "app/gui/widgets/table_words.h"
 #include "app/gui/window/inspectors.h"
 #include "app/gui/window/menu_bar.h"
 #include "filters/core/base/errors.h"
@@ -80,7 +81,7 @@ QDockWidget* PanelDocks::add(const QString& title, const char* name, QWidget* co
   dock->setWidget(content);
   if (first_ == nullptr) {
     first_ = dock;
-    window_->addDockWidget(Qt::RightDockWidgetArea, dock);
+    window_->addDockWidget(window_->isRightToLeft() ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, dock);
     window_->resizeDocks({dock}, {kPanelWidth}, Qt::Horizontal);
   } else {
     window_->tabifyDockWidget(first_, dock);
@@ -105,7 +106,7 @@ void PanelDocks::buildOutliner() {
   dock->setObjectName("outliner");
   dock->setWidget(outliner_);
   dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-  window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
+  window_->addDockWidget(window_->isRightToLeft() ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea, dock);
   parts_.menu.addDockToggle(dock->toggleViewAction());
 }
 
@@ -238,9 +239,7 @@ void PanelDocks::buildDebug() {
   add(tr("Debug"), "debug", scrolled(debugView.panel()));
   SurfaceViewPanel* views = debugView.surfacePanel();
   QStringList names;
-  for (const SurfaceViewRow& row : surfaceViews()) {
-    names.append(QString::fromUtf8(row.label.data(), static_cast<int>(row.label.size())));
-  }
+  for (const SurfaceViewRow& row : surfaceViews()) names.append(tableWords(row.label));
   parts_.menu.addSurfaceViews(names);
   connect(&parts_.menu, &MenuBar::surfaceViewChosen, views, &SurfaceViewPanel::choose);
   connect(views, &SurfaceViewPanel::changed, &parts_.menu,

@@ -12,24 +12,23 @@
 
 namespace boxprobe {
 
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Recovery", text);
-}
-
-}  // namespace
-
 void offerRecovery(MainWindow& window) {
   for (const Autosave::Kept& kept : Autosave::leftBehind()) {
     const QString time = QLocale::system().toString(kept.time, QLocale::ShortFormat);
-    const QString scene = kept.folderShown.isEmpty() ? kept.name : tr("%1 in %2").arg(kept.name, kept.folderShown);
-    PlainQuestion box(&window, tr("Unsaved changes"),
-                      tr("Boxprobe ended without saving %1. Its changes up to %2 can be recovered.").arg(scene, time));
-    box.setInformativeText(tr("Nothing is written to the file itself until you save."));
-    const QPushButton* recover = box.addButton(tr("&Recover"), QMessageBox::AcceptRole);
-    const QPushButton* discard = box.addButton(tr("&Discard them"), QMessageBox::DestructiveRole);
-    QPushButton* later = box.addButton(tr("Ask &later"), QMessageBox::RejectRole);
+    const QString scene = kept.folderShown.isEmpty()
+                              ? kept.name
+                              : QCoreApplication::translate("Recovery", "%1 in %2").arg(kept.name, kept.folderShown);
+    PlainQuestion box(&window, QCoreApplication::translate("Recovery", "Unsaved changes"),
+                      QCoreApplication::translate(
+                          "Recovery", "Boxprobe ended without saving %1. Its changes up to %2 can be recovered.")
+                          .arg(scene, time));
+    box.setInformativeText(
+        QCoreApplication::translate("Recovery", "Nothing is written to the file itself until you save."));
+    const QPushButton* recover =
+        box.addButton(QCoreApplication::translate("Recovery", "&Recover"), QMessageBox::AcceptRole);
+    const QPushButton* discard =
+        box.addButton(QCoreApplication::translate("Recovery", "&Discard them"), QMessageBox::DestructiveRole);
+    QPushButton* later = box.addButton(QCoreApplication::translate("Recovery", "Ask &later"), QMessageBox::RejectRole);
     box.setEscapeButton(later);
     box.exec();
     if (box.clickedButton() == discard) Autosave::discard(kept);

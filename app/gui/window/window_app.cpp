@@ -17,6 +17,7 @@
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/preferences.h"
 #include "app/gui/widgets/settings_file.h"
+#include "app/gui/widgets/window_language.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/main_window.h"
@@ -79,6 +80,7 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   std::setlocale(LC_NUMERIC, "C");    // Qt has taken the user's, and with it commas into every file's numbers
   QLocale::setDefault(QLocale::c());  // numbers are shown in one way, as files and documents have them
   warnOfNoFonts();
+  loadLanguage(chosenLanguage());
   const int theme = chosenTheme().value_or(static_cast<int>(Theme::System));
   applyWindowStyle(application, static_cast<Theme>(theme));
 
