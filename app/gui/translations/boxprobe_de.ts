@@ -490,6 +490,14 @@
         <source>these keys; the lessons; projector mode</source>
         <translation>diese Tasten; die Lektionen; Projektormodus</translation>
     </message>
+    <message>
+        <source>Ctrl+Shift and drag; Alt+Left, Right</source>
+        <translation>Strg+Umschalt und ziehen; Alt+Links, Rechts</translation>
+    </message>
+    <message>
+        <source>turns the sky&apos;s picture; by 5 degrees</source>
+        <translation>dreht das Bild des Himmels; um 5 Grad</translation>
+    </message>
 </context>
 <context>
     <name>LanguageMenu</name>
@@ -1640,6 +1648,18 @@
     <message>
         <source>a frame of nothing: cleared, samples resolved, VTK&apos;s own work</source>
         <translation>ein leerer Frame: gelöscht, Samples aufgelöst, eigene Arbeit von VTK</translation>
+    </message>
+    <message>
+        <source>What becomes of a sun in the image, a small bright disc.</source>
+        <translation>Was aus einer Sonne im Bild wird, einer kleinen hellen Scheibe.</translation>
+    </message>
+    <message>
+        <source>it is drawn as a directional light, with its shadow, and taken out of the image</source>
+        <translation>sie wird als gerichtetes Licht mit Schatten gezeichnet und aus dem Bild genommen</translation>
+    </message>
+    <message>
+        <source>it stays in the image</source>
+        <translation>sie bleibt im Bild</translation>
     </message>
 </context>
 <context>
@@ -3544,6 +3564,22 @@ eine Abfrage, auf Fläche %1</translation>
         <source>Position</source>
         <translation>Position</translation>
     </message>
+    <message>
+        <source>Its sun</source>
+        <translation>Seine Sonne</translation>
+    </message>
+    <message>
+        <source>As a light</source>
+        <translation>Als Lichtquelle</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>Im Bild</translation>
+    </message>
+    <message>
+        <source>Set the sky&apos;s sun</source>
+        <translation>Sonne des Himmels setzen</translation>
+    </message>
 </context>
 <context>
     <name>boxprobe::LiveLink</name>
@@ -4076,6 +4112,18 @@ eine Abfrage, auf Fläche %1</translation>
     <message>
         <source>&amp;Bake %1</source>
         <translation>%1 &amp;backen</translation>
+    </message>
+    <message>
+        <source>Turn the s&amp;ky</source>
+        <translation>Himmel drehen (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>To the &amp;left</source>
+        <translation>Nach &amp;links</translation>
+    </message>
+    <message>
+        <source>To the &amp;right</source>
+        <translation>Nach &amp;rechts</translation>
     </message>
 </context>
 <context>
@@ -5487,6 +5535,17 @@ lineares Licht %2  %3  %4   Abdeckung %5</translation>
     <message>
         <source>Only the selection is shown; press / to show the rest</source>
         <translation>Nur die Auswahl wird gezeigt; / zeigt den Rest</translation>
+    </message>
+</context>
+<context>
+    <name>boxprobe::SkyTurn</name>
+    <message>
+        <source>The sky has no picture that could be turned</source>
+        <translation>Der Himmel hat kein Bild, das sich drehen ließe</translation>
+    </message>
+    <message>
+        <source>Turn the sky</source>
+        <translation>Himmel drehen</translation>
     </message>
 </context>
 <context>

@@ -490,6 +490,14 @@
         <source>these keys; the lessons; projector mode</source>
         <translation>这些按键；课程；投影模式</translation>
     </message>
+    <message>
+        <source>Ctrl+Shift and drag; Alt+Left, Right</source>
+        <translation>Ctrl+Shift 加拖动；Alt+左、右</translation>
+    </message>
+    <message>
+        <source>turns the sky&apos;s picture; by 5 degrees</source>
+        <translation>转动天空图片；每次 5 度</translation>
+    </message>
 </context>
 <context>
     <name>LanguageMenu</name>
@@ -1640,6 +1648,18 @@
     <message>
         <source>a frame of nothing: cleared, samples resolved, VTK&apos;s own work</source>
         <translation>空帧：清除、解析采样以及 VTK 自身的工作</translation>
+    </message>
+    <message>
+        <source>What becomes of a sun in the image, a small bright disc.</source>
+        <translation>图片中的太阳（一个明亮的小圆盘）如何处理。</translation>
+    </message>
+    <message>
+        <source>it is drawn as a directional light, with its shadow, and taken out of the image</source>
+        <translation>作为平行光连同其阴影绘制，并从图片中取出</translation>
+    </message>
+    <message>
+        <source>it stays in the image</source>
+        <translation>保留在图片中</translation>
     </message>
 </context>
 <context>
@@ -3544,6 +3564,22 @@ one lookup, on face %1</source>
         <source>Position</source>
         <translation>位置</translation>
     </message>
+    <message>
+        <source>Its sun</source>
+        <translation>其中的太阳</translation>
+    </message>
+    <message>
+        <source>As a light</source>
+        <translation>作为光源</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>在图片中</translation>
+    </message>
+    <message>
+        <source>Set the sky&apos;s sun</source>
+        <translation>设置天空的太阳</translation>
+    </message>
 </context>
 <context>
     <name>boxprobe::LiveLink</name>
@@ -4076,6 +4112,18 @@ one lookup, on face %1</source>
     <message>
         <source>&amp;Bake %1</source>
         <translation>烘焙%1(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Turn the s&amp;ky</source>
+        <translation>转动天空(&amp;K)</translation>
+    </message>
+    <message>
+        <source>To the &amp;left</source>
+        <translation>向左(&amp;L)</translation>
+    </message>
+    <message>
+        <source>To the &amp;right</source>
+        <translation>向右(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -5487,6 +5535,17 @@ linear light %2  %3  %4   coverage %5</source>
     <message>
         <source>Only the selection is shown; press / to show the rest</source>
         <translation>仅显示所选；按 / 显示其余</translation>
+    </message>
+</context>
+<context>
+    <name>boxprobe::SkyTurn</name>
+    <message>
+        <source>The sky has no picture that could be turned</source>
+        <translation>天空没有可以转动的图片</translation>
+    </message>
+    <message>
+        <source>Turn the sky</source>
+        <translation>转动天空</translation>
     </message>
 </context>
 <context>
