@@ -74,7 +74,7 @@ void CameraController::begin(Motion motion, const QPointF& pixel) {
 }
 
 void CameraController::end() {
-  if (motion_ == Motion::Sky) emit skyTurnEnded();
+  if (motion_ == Motion::TurnSky) emit skyTurnEnded();
   motion_ = Motion::None;
   // E and Q fly only while the button is held.
   keyUp(Qt::Key_E);
@@ -86,7 +86,7 @@ bool CameraController::move(const QPointF& pixel, double viewportHeight) {
   last_ = pixel;
   if (motion_ == Motion::None || delta.isNull()) return false;
   vtkCamera* camera = hooks_.camera();
-  if (motion_ == Motion::Sky) {
+  if (motion_ == Motion::TurnSky) {
     skyDegrees_ -= delta.x() * camera->GetViewAngle() / std::max(viewportHeight, 1.0);
     emit skyTurned(skyDegrees_);
     return false;

@@ -23,7 +23,7 @@ class CameraController : public QObject {
   Q_OBJECT
 
  public:
-  enum class Motion { None, Orbit, Pan, Zoom, Look, Sky };
+  enum class Motion { None, Orbit, Pan, Zoom, Look, TurnSky };
   struct Hooks {
     std::function<vtkCamera*()> camera;
     std::function<Ray(const QPointF& pixel)> ray;
@@ -60,7 +60,7 @@ class CameraController : public QObject {
 
  signals:
   void moved();  ///< by keys
-  /// By a drag that began with Motion::Sky: what turns the sky about +Y so that it follows the pointer, degrees since
+  /// By a drag that began with Motion::TurnSky: what turns the sky about +Y so that it follows the pointer, degrees since
   /// then.
   void skyTurned(double degrees);
   void skyTurnEnded();

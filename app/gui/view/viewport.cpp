@@ -37,7 +37,7 @@ CameraController::Motion motionFor(Qt::MouseButton button, Qt::KeyboardModifiers
   if (button == Qt::MiddleButton) return Motion::Pan;
   if (button == Qt::RightButton) return Motion::Look;
   if (button != Qt::LeftButton) return Motion::None;
-  if (modifiers.testFlag(Qt::ShiftModifier) && modifiers.testFlag(Qt::ControlModifier)) return Motion::Sky;
+  if (modifiers.testFlag(Qt::ShiftModifier) && modifiers.testFlag(Qt::ControlModifier)) return Motion::TurnSky;
   if (modifiers.testFlag(Qt::ShiftModifier)) return Motion::Pan;
   if (modifiers.testFlag(Qt::ControlModifier)) return Motion::Zoom;
   return Motion::Orbit;
