@@ -107,7 +107,7 @@ class SkyPictureTest : public LightTest {
     loaded.scene.sky = SkyImage{BOXPROBE_DATA_DIR "/scenes/sky.hdr"};
     return loaded;
   }
-  double turned() const { return document().scene().skyRotationDegrees; }
+  double turned() { return document().scene().skyRotationDegrees; }
 };
 
 // What is straight ahead stays under the pointer; a drag is one step, and so is each press of a key.

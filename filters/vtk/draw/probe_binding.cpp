@@ -21,9 +21,8 @@ bool ProbeBinding::rotated() const {
 
 bool ProbeBinding::sights() const {
   const auto some = [](const std::shared_ptr<const ProbeSight>& sight) { return sight && !sight->lattice.empty(); };
-  return !sightLights.empty() || std::any_of(probes.begin(), probes.end(), [&some](const auto& probe) {
-    return some(probe->sight) || some(probe->captureSight);
-  });
+  return !sightLights.empty() || (captureSights && !probes.empty()) ||
+         std::any_of(probes.begin(), probes.end(), [&some](const auto& probe) { return some(probe->sight); });
 }
 
 bool ProbeBinding::bevelled() const {

@@ -74,7 +74,7 @@ struct ProbeBinding {
   /// stand still; in the scene's order.
   std::vector<int> shadowLights, movingLights;
   std::vector<SunUse> sunLights;
-  /// Light sources, in the scene's order, that are not visible from everywhere in a probe's box.
+  /// Light sources, in the scene's order, that are not visible from everywhere in a probe's box or a capture.
   std::vector<int> sightLights;
   std::size_t leftOut = 0;  ///< probes that reach the object beyond the maximum of a draw
   GivenUp givenUp;
@@ -83,6 +83,8 @@ struct ProbeBinding {
   bool lamps = false;   ///< one of these has lamps, or its first capture has
   /// Reflections of the object are rough enough to draw those lamps as shapes. Then maps without lamps are sampled.
   bool lampLobes = false;
+  /// Some probe's first capture has visibilities; it may see the object, wherever it stands.
+  bool captureSights = false;
   float roughnessMin = 0.0f, roughnessMax = 1.0f;  ///< range over the object
 
   /// Are there visibilities of lamps or light sources to sample?

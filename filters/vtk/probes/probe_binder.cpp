@@ -251,6 +251,16 @@ void ProbeBinder::showSight() {
       drawn.captureSight = std::make_shared<const ProbeSight>(untracedSight(*lamps, probe));
     }
   }
+  inCaptures_ = {};
+  for (const Shown& probe : probes_) {
+    const ProbeSight* sight = probe.drawn->captureSight.get();
+    if (sight == nullptr) continue;
+    inCaptures_.lamps |= !sight->lamps.empty();
+    inCaptures_.sights |= !sight->lattice.empty();
+    for (std::size_t light = 0; light < with_.content->scene.lights.size(); ++light) {
+      if (sight->channelOfSource(light) != kSeenByAll) inCaptures_.hiddenLights.insert(light);
+    }
+  }
 }
 
 bool ProbeBinder::makeSight() {
@@ -349,9 +359,11 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   }
   binding->shapes =
       std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) { return probe->shapes; });
-  binding->lamps = std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) {
-    return !probe->lamps.empty() || (probe->captureSight && !probe->captureSight->lamps.empty());
-  });
+  // A first capture divides by what its own probe sees, whatever probes light the object: those of all probes count.
+  binding->lamps = std::any_of(binding->probes.begin(), binding->probes.end(),
+                               [](const auto& probe) { return !probe->lamps.empty(); }) ||
+                   inCaptures_.lamps;
+  binding->captureSights = inCaptures_.sights;
   binding->roughnessMin = static_cast<float>(object.roughnessMin);
   binding->roughnessMax = static_cast<float>(object.roughnessMax);
   // Glass is sampled along refracted rays, whose lobes have no lamps as shapes.
@@ -384,10 +396,10 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   }
   for (std::size_t light = 0; light < scene.lights.size(); ++light) {
     const bool hidden = std::any_of(binding->probes.begin(), binding->probes.end(), [&](const auto& probe) {
-      return (probe->sight && probe->sight->channelOfSource(light) != kSeenByAll) ||
-             (probe->captureSight && probe->captureSight->channelOfSource(light) != kSeenByAll);
+      return probe->sight && probe->sight->channelOfSource(light) != kSeenByAll;
     });
-    if (hidden) binding->sightLights.push_back(static_cast<int>(light));
+    const bool hiddenInCapture = !binding->probes.empty() && inCaptures_.hiddenLights.count(light) > 0;
+    if (hidden || hiddenInCapture) binding->sightLights.push_back(static_cast<int>(light));
   }
   if (object.settings.weights == WeightMode::Object && binding->weights && !order.empty()) {
     std::vector<float> weights;

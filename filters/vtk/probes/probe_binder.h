@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -177,6 +178,11 @@ class ProbeBinder {
   std::vector<Shown> probes_;  ///< in the order of scene.probes
   ProbeIndex places_;          ///< of their influence boxes
   SightWork sight_;
+  /// What first captures have, of whichever probe: one may see any object.
+  struct InCaptures {
+    bool lamps = false, sights = false;
+    std::set<std::size_t> hiddenLights;  ///< not seen from everywhere there
+  } inCaptures_;
   std::uint64_t generation_ = 0;
   std::vector<Seen> windowSees_;              ///< saved while a capture sees other maps
   std::shared_ptr<const ProbeMaps> skyKept_;  ///< saved while a capture has no sky

@@ -184,10 +184,19 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
       if (reaches) lampOf[lamp][static_cast<int>(slot)] = 1.0f;
     }
   };
+  const auto latticeOf = [&](const DrawnProbe& probe) {
+    return binding.diffuse && !state.pass().firstBounce ? probeLattice(state, probe) : nullptr;
+  };
+  // What comes anew may move what stands there: all come first, then each is asked for its place.
   for (std::size_t i = 0; i < count && lamps != nullptr; ++i) {
     const DrawnProbe& probe = *binding.probes[i];
     if (!probe.shapes) continue;
-    const auto lattice = binding.diffuse && !state.pass().firstBounce ? probeLattice(state, probe) : nullptr;
+    if (const auto lattice = latticeOf(probe)) state.resources.lattices->place(lattice);
+  }
+  for (std::size_t i = 0; i < count && lamps != nullptr; ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    if (!probe.shapes) continue;
+    const auto lattice = latticeOf(probe);
     if (lattice) {
       const shading::LatticeShape shape = lattice->shape();
       at[i] = state.resources.lattices->place(lattice);
@@ -273,6 +282,8 @@ void uploadSights(const UniformUpload& to, DrawState& state, const ProbeBinding&
   PerSlot<glm::mat3> turn;
   turn.fill(glm::mat3(1.0f));
   const bool first = state.pass().firstBounce;
+  // What comes anew may move what stands there: all come first, then each is asked for its place.
+  for (std::size_t i = 0; i < count; ++i) state.resources.sights->place(sightOf(state.pass(), binding, i));
   for (std::size_t i = 0; i < count; ++i) {
     const auto& sight = sightOf(state.pass(), binding, i);
     const auto place = state.resources.sights->place(sight);
