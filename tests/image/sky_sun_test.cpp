@@ -119,7 +119,7 @@ class SkySunPicture : public ::testing::Test {
 };
 
 struct YardWorld : QuadWorld {
-  explicit YardWorld(const Scene& scene) : QuadWorld(scene, {yard()}) { renderer->setSightLines(traceSightLines); }
+  explicit YardWorld(const Scene& lit) : QuadWorld(lit, {yard()}) { renderer->setSightLines(traceSightLines); }
   dvec3 seen(const dvec3& point) { return look(point + dvec3(-0.3, 0.45, 0.1), point); }
 };
 
