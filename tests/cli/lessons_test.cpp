@@ -67,7 +67,10 @@ TEST(LessonsCommand, DrawsAPageThatNeedsNothingBesideIt) {
   const std::string page = readFile(folder.path("page.html"));
   EXPECT_THAT(page, HasSubstr("data:image/jpeg;base64,"));
   EXPECT_THAT(page, HasSubstr("<math"));
-  EXPECT_THAT(page, HasSubstr("<mi>P</mi></mrow></math></th><td>the point that is shaded</td>"));
+  // Each symbol is read out as MathML and drawn as an outline.
+  EXPECT_THAT(page,
+              HasSubstr(R"(<th scope="row"><span class="math"><math><mrow><mi>P</mi></mrow></math><svg aria-hidden)"));
+  EXPECT_THAT(page, HasSubstr("</svg></span></th><td>the point that is shaded</td>"));
   EXPECT_THAT(page, Not(HasSubstr("does not hold")));
   EXPECT_THAT(page, EndsWith("</html>\n"));
 }
