@@ -148,7 +148,7 @@ class Checker {
   ReferencePicture traced(std::size_t i, const std::vector<std::pair<std::size_t, Camera>>& cameras) const {
     const std::string name = "eye-" + std::to_string(i + 1) + "-traced";
     if (settings_.shared != nullptr) {
-      if (auto known = settings_.shared->findTraced(name)) return *std::move(known);
+      if (auto known = settings_.shared->findTraced(name, kWidth, kHeight)) return *std::move(known);
     }
     PathSettings settings;
     settings.width = kWidth;
@@ -231,7 +231,7 @@ class Checker {
   std::optional<ImageRgbaF> pictureOf(const Eye& eye, const Scene& scene, const std::string& trial, double done) {
     const std::string name = "eye-" + std::to_string(eye.number + 1) + "-" + trial.substr(0, 16);
     if (settings_.shared != nullptr) {
-      if (auto known = settings_.shared->findPicture(name)) return known;
+      if (auto known = settings_.shared->findPicture(name, kWidth, kHeight)) return known;
     }
     shown_.show(scene, loaded_.models, {eye.camera});
     if (!shown_.capture([&](double) { return report(done); })) return std::nullopt;

@@ -50,12 +50,13 @@ PathSettings pathsOf(const ReviewSettings& settings) {
 ReferencePicture tracedBand(const ReferencePath& path, const Camera& camera, std::size_t number, int band,
                             const ReviewSettings& settings, const std::function<bool(double)>& progress) {
   const std::string name = "camera-" + std::to_string(number + 1) + "-band-" + std::to_string(band + 1);
-  if (auto known = settings.shared->findTraced(name)) return *std::move(known);
   PathSettings traced = pathsOf(settings);
   traced.part = {0, kBandRows * band, settings.width, std::min(kBandRows * (band + 1), settings.height)};
+  const int height = traced.part.bottom - traced.part.top;
+  if (auto known = settings.shared->findTraced(name, settings.width, height)) return *std::move(known);
   const ReferencePicture picture = path.render(camera, traced, progress);
   const auto row = 4 * static_cast<std::ptrdiff_t>(settings.width);
-  ReferencePicture rows{{settings.width, traced.part.bottom - traced.part.top, {}}, {}, picture.complete};
+  ReferencePicture rows{{settings.width, height, {}}, {}, picture.complete};
   rows.standardError = rows.color;
   for (ImageRgbaF ReferencePicture::*image : {&ReferencePicture::color, &ReferencePicture::standardError}) {
     const std::vector<float>& from = (picture.*image).pixels;

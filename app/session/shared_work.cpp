@@ -60,15 +60,15 @@ void append(std::string& bytes, const ImageRgbaF& image) {
   bytes.append(reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof(float));
 }
 
-/// The picture at `at`, which then is behind it.
-std::optional<ImageRgbaF> pictureAt(const std::string& bytes, std::size_t& at) {
+/// The picture of that size at `at`, which then is behind it.
+std::optional<ImageRgbaF> pictureAt(const std::string& bytes, std::size_t& at, int width, int height) {
   std::int32_t size[2];
   if (bytes.size() < at + sizeof size) return std::nullopt;
   std::memcpy(size, bytes.data() + at, sizeof size);
   at += sizeof size;
-  if (size[0] < 0 || size[1] < 0) return std::nullopt;
-  ImageRgbaF image{size[0], size[1], {}};
-  const std::size_t floats = 4 * static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+  if (size[0] != width || size[1] != height) return std::nullopt;
+  ImageRgbaF image{width, height, {}};
+  const std::size_t floats = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if ((bytes.size() - at) / sizeof(float) < floats) return std::nullopt;
   image.pixels.resize(floats);
   std::memcpy(image.pixels.data(), bytes.data() + at, floats * sizeof(float));
@@ -109,7 +109,9 @@ std::optional<BoxFit> SharedWork::find(const std::string& name, const Probe& sta
   try {
     const Json json = Json::parse(*bytes);
     BoxFit fit;
-    fit.outcome = static_cast<FitOutcome>(json.at("outcome").get<int>());
+    const int outcome = json.at("outcome").get<int>();
+    if (outcome < 0 || outcome > static_cast<int>(FitOutcome::Inside)) return std::nullopt;
+    fit.outcome = static_cast<FitOutcome>(outcome);
     fit.probe = start;
     fit.probe.origin = vectorOf(json.at("origin"));
     fit.probe.box = boxOf(json.at("box"));
@@ -129,7 +131,7 @@ std::optional<BoxFit> SharedWork::find(const std::string& name, const Probe& sta
     fit.remarks = json.at("remarks").get<std::vector<std::string>>();
     return fit;
   } catch (const nlohmann::json::exception&) {
-    return std::nullopt;  // a number that JSON cannot hold
+    return std::nullopt;  // not a fit, or a number that JSON cannot hold
   }
 }
 
@@ -152,12 +154,12 @@ void SharedWork::keep(const std::string& name, const BoxFit& fit) const {
   keepBytes(name, json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-std::optional<ReferencePicture> SharedWork::findTraced(const std::string& name) const {
+std::optional<ReferencePicture> SharedWork::findTraced(const std::string& name, int width, int height) const {
   const std::optional<std::string> bytes = findBytes(name);
   if (!bytes) return std::nullopt;
   std::size_t at = 0;
-  std::optional<ImageRgbaF> color = pictureAt(*bytes, at);
-  std::optional<ImageRgbaF> error = color ? pictureAt(*bytes, at) : std::nullopt;
+  std::optional<ImageRgbaF> color = pictureAt(*bytes, at, width, height);
+  std::optional<ImageRgbaF> error = color ? pictureAt(*bytes, at, width, height) : std::nullopt;
   if (!error) return std::nullopt;
   return ReferencePicture{*std::move(color), *std::move(error), true};
 }
@@ -169,10 +171,10 @@ void SharedWork::keepTraced(const std::string& name, const ReferencePicture& pic
   keepBytes(name, bytes);
 }
 
-std::optional<ImageRgbaF> SharedWork::findPicture(const std::string& name) const {
+std::optional<ImageRgbaF> SharedWork::findPicture(const std::string& name, int width, int height) const {
   const std::optional<std::string> bytes = findBytes(name);
   std::size_t at = 0;
-  return bytes ? pictureAt(*bytes, at) : std::nullopt;
+  return bytes ? pictureAt(*bytes, at, width, height) : std::nullopt;
 }
 
 void SharedWork::keepPicture(const std::string& name, const ImageRgbaF& picture) const {

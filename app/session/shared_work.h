@@ -1,6 +1,6 @@
 // A long work by several processes, on one machine or many: each keeps what it has made as files in one folder, and
 // takes over what the others have kept. No word passes between them. What is missing or damaged, because a process was
-// killed, is made again by whoever needs it. Used by `boxprobe place`, `report` and `render` with --shard.
+// killed, is made again by whoever needs it. Used by `boxprobe place` and `report` with --shard.
 #pragma once
 
 #include <cstddef>
@@ -30,9 +30,10 @@ class SharedWork final : public SharedFits {
   std::optional<BoxFit> find(const std::string& name, const Probe& start) const override;
   void keep(const std::string& name, const BoxFit& fit) const override;
 
-  std::optional<ReferencePicture> findTraced(const std::string& name) const;
+  /// Of that size: a file may hold anything.
+  std::optional<ReferencePicture> findTraced(const std::string& name, int width, int height) const;
   void keepTraced(const std::string& name, const ReferencePicture& picture) const;
-  std::optional<ImageRgbaF> findPicture(const std::string& name) const;
+  std::optional<ImageRgbaF> findPicture(const std::string& name, int width, int height) const;
   void keepPicture(const std::string& name, const ImageRgbaF& picture) const;
   std::optional<std::string> findBytes(const std::string& name) const;
   void keepBytes(const std::string& name, const std::string& bytes) const;

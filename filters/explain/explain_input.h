@@ -48,8 +48,8 @@ struct ExplainedProbe {
 struct MovingMap {
   int light = 0;
   int size = 0;
-  std::shared_ptr<const std::vector<float>>
-      depth;  ///< rows from the bottom; shared: a map is some megabytes, an input is one pixel's
+  /// Rows from the bottom. Shared: a map has megabytes, and each pixel its own input.
+  std::shared_ptr<const std::vector<float>> depth;
   glm::dmat4 mapFromWorld{1.0};
   glm::dvec2 apart{0.0};  ///< taps of its filter, in the map's coordinates
   double off = 0.0;       ///< how far off the surface it is looked up, scene units

@@ -169,7 +169,7 @@ std::string scriptOf(const BakeOptions& options, const std::vector<Probe>& probe
   constexpr std::size_t kMostShards = 64;
   FarmWork work;
   work.program = programPath().empty() ? "boxprobe" : programPath();
-  work.name = "bake";
+  work.name = work.noun = "bake";
   work.step = "bounce";
   work.words = {"bake", fs::absolute(options.scenePath).string(), "-o", fs::absolute(folder).string()};
   const auto pass = [&work](const char* option, const std::vector<std::string>& values) {

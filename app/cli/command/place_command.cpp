@@ -75,6 +75,7 @@ std::string placeKey(const LoadedScene& loaded, const PlaceSettings& settings) {
 std::string scriptOf(const PlaceCommandOptions& options) {
   FarmWork work;
   work.name = "place";
+  work.noun = "placing";
   if (options.outputPath.empty()) throw InputError("--emit: add -o FILE, which the script's last command writes");
   work.words = {"place", farmPath(options.scenePath), "-o", farmPath(options.outputPath)};
   const auto add = [&work](const std::string& option, const std::string& value) {

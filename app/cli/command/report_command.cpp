@@ -156,7 +156,7 @@ void runReport(const ReportCommandOptions& options) {
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
   if (!options.farm.script.empty()) {
     FarmWork work;
-    work.name = "report";
+    work.name = work.noun = "report";
     work.words = wordsOf(options, true);
     return printDocument(farmScript(options.farm, work));
   }

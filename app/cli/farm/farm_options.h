@@ -25,7 +25,7 @@ void addFarmOptions(CLI::App& command, FarmOptions& options);
 /// What is kept beside `output`, of this key; null for a process that works alone. Throws InputError without an output.
 std::unique_ptr<SharedWork> sharedWork(const FarmOptions& options, const std::string& output, const std::string& key);
 
-/// "share 2 of 8: 5 results kept in FILE.parts, 3 were there".
+/// "share 2 of 8: 5 result(s) kept in FILE.parts, 3 taken over".
 std::string shareText(const SharedWork& shared);
 
 /// The script; `work` has all but program and shares.

@@ -28,7 +28,7 @@ std::string slurm(const FarmWork& work) {
   std::string text =
       "#!/bin/sh\n"
       "# Submits the " +
-      work.name + " to Slurm: one array job per " + work.step +
+      work.noun + " to Slurm: one array job per " + work.step +
       ", then a job that fails unless all is done. Further options for\n"
       "# sbatch: $SBATCH_OPTIONS. Where a task fails, run this again: what is done stays done.\n"
       "set -eu\n";

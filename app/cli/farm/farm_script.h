@@ -10,6 +10,7 @@ namespace boxprobe {
 struct FarmWork {
   std::string program;        ///< path as it is to be called, see programPath()
   std::string name;           ///< of the sub-command
+  std::string noun;           ///< what it does, after "the"
   std::string step = "step";  ///< word for one
   /// Of every command line, behind the program: the sub-command, the scene, "--set" and what follows it.
   std::vector<std::string> words;

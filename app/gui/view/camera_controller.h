@@ -60,8 +60,8 @@ class CameraController : public QObject {
 
  signals:
   void moved();  ///< by keys
-  /// By a drag that began with Motion::TurnSky: what turns the sky about +Y so that it follows the pointer, degrees since
-  /// then.
+  /// By a drag that began with Motion::TurnSky: what turns the sky about +Y so that it follows the pointer, degrees
+  /// since then.
   void skyTurned(double degrees);
   void skyTurnEnded();
 
