@@ -50,7 +50,9 @@ def drawn(model, sky=None, camera=None, pixel=(8, 8), probes=None, size=16):
     status, said = run("render", "s.boxprobe.json", "-o", "o.exr", "--size", "%dx%d" % (size, size))
     if status:
         return said.strip().splitlines()[-1]
-    image = oiio.ImageBuf("o.exr").get_pixels(oiio.FLOAT)
+    file = oiio.ImageInput.open("o.exr")  # an ImageBuf would have the last picture again: files of one second are one to its cache
+    image = file.read_image(0, 0, 0, file.spec().nchannels, oiio.FLOAT)
+    file.close()
     return image if pixel is None else image[pixel[1], pixel[0], :3]
 
 
