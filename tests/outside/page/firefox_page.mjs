@@ -22,7 +22,7 @@ export class FirefoxPage {
     page.process = spawn('firefox-esr', ['--headless', '--marionette', '--remote-allow-system-access', '--no-remote', '-profile', page.profile, '--width', '1400', '--height', '1100'],
       { stdio: 'ignore', env: { ...process.env, HOME: page.profile, MOZ_CRASHREPORTER_DISABLE: '1' } });
     process.on('exit', () => page.process.kill('SIGKILL'));  // of a test that ends by an error
-    process.once('SIGTERM', () => process.exit(143));  // or is ended
+    if (process.listenerCount('SIGTERM') === 0) process.once('SIGTERM', () => process.exit(143));  // or is ended
     const port = path.join(page.profile, 'MarionetteActivePort');
     for (let tries = 0; !existsSync(port) || !readFileSync(port, 'utf8'); ++tries) {
       if (tries > 600) throw new Error('Firefox does not start');
