@@ -90,7 +90,7 @@ DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& 
     const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
     const float seen = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
     const float filled = seen * shading::lampDiffuse(&polygon, positionFromEye, s.normalWorld);
-    if (filled > 0.0f) e.lamps.push_back({lamp.node, filled * glm::vec3(lamp.radiance), filled});
+    if (filled > 0.0f) e.lamps.push_back({lamp.node, filled * probe.lampDiffuse[i], filled});
   }
   const auto brightness = [](const LampAtPoint& lamp) { return lamp.light.x + lamp.light.y + lamp.light.z; };
   std::stable_sort(e.lamps.begin(), e.lamps.end(),
@@ -188,8 +188,8 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
         const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
         const float share = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
         const glm::vec2 lit = share * shading::lampGlossy(&polygon, position, lobe);
-        e.lampsF0 += lit.x * glm::vec3(lamp.radiance);
-        e.lampsF90 += lit.y * glm::vec3(lamp.radiance);
+        e.lampsF0 += lit.x * probe.lampGlossy[i];
+        e.lampsF90 += lit.y * probe.lampGlossy[i];
       }
     }
     if (probe.open && sky != nullptr) {

@@ -48,7 +48,7 @@ void addLampsInMap(const ExplainInput& in, float roughness, GatheredLight& out) 
   if (lamps == in.probes.end()) return;
   const float share = shading::lampsByShape(roughness);
   out.specular += (1.0f - share) * out.lampsInMap *
-                  shading::lampColor(out.lampsF0 + out.lampsF90, glm::vec3(lamps->lamps.front().radiance));
+                  shading::lampColor(out.lampsF0 + out.lampsF90, lamps->lampGlossy.front());
   out.lampsF0 *= share;
   out.lampsF90 *= share;
 }

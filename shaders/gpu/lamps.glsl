@@ -4,7 +4,7 @@ uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform vec3 bpLampMiddle[BP_LAMPS];
 uniform vec4 bpLampPlane[BP_LAMPS];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
-uniform vec3 bpLampLight[BP_LAMPS];     // radiance
+uniform vec3 bpLampLight[BP_LAMPS];     // radiance, less what the lattices have in its place
 uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0: all is in slot 0 then
 uniform vec4 bpLampOf[BP_LAMPS];        // 1 for each of the draw's probes whose lamp it is
 #if BP_SIGHTS
@@ -38,6 +38,7 @@ bool lampShinesBothSides(int lamp)
 
 uniform vec4 bpLampLit;                 // 1 for each of the probes whose diffuse light is lamps'
 #if BP_LAMP_LOBES
+uniform vec3 bpLampGlossy[BP_LAMPS];    // radiance, less what the maps without lamps have in its place
 uniform float bpLampColors;             // 1 if the lamps are of several
 uniform int bpLobeCount;                // of the lamps in reflections: all, or 0 in captures, which show lamps as maps do
 #endif
@@ -128,8 +129,8 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
       bool waits = glance.tooNear && weight > 0.0f;
       close += waits ? 1 << lamp : 0;
       vec2 lit = waits ? vec2(0.0f) : weight * glance.light;
-      light.lampsF0 += lit.x * bpLampLight[lamp];
-      light.lampsF90 += lit.y * bpLampLight[lamp];
+      light.lampsF0 += lit.x * bpLampGlossy[lamp];
+      light.lampsF90 += lit.y * bpLampGlossy[lamp];
       left &= left - 1;
     } while (left != 0);
     if (close != 0)
@@ -138,13 +139,13 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
       {
         int lamp = bpFirstLamp(close);
         vec2 lit = bpLampWeight(lamp, shares) * lampGlossyNear(lamp, position, lobe);
-        light.lampsF0 += lit.x * bpLampLight[lamp];
-        light.lampsF90 += lit.y * bpLampLight[lamp];
+        light.lampsF0 += lit.x * bpLampGlossy[lamp];
+        light.lampsF90 += lit.y * bpLampGlossy[lamp];
         close &= close - 1;
       } while (close != 0);
     }
   }
-  light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, bpLampLight[0]);
+  light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, bpLampGlossy[0]);
   light.lampsF0 *= byShape;
   light.lampsF90 *= byShape;
 }

@@ -96,6 +96,86 @@ TEST(TracedLattice, WhatNoCaptureSeesHasAllBounces) {
   }
 }
 
+// The same room, whose wall at +x shines, and of whose wall at -z a part is a lamp, single-sided as well.
+struct ShiningRoom : Room {
+  bool ofLamp(const dvec3& p) const { return p.z < kLow.z + 1e-6 && p.x > 0.2 && p.x < 1.6 && p.y > -0.5 && p.y < 0.8; }
+  std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
+    auto met = Room::first(from, d);
+    const dvec3 at = from + met->distance * d;
+    if (met->normal.x < -0.5) met->emitted = wall;
+    if (ofLamp(at)) met->albedo = glm::vec3(0.0f), met->emitted = lamp;
+    return met;
+  }
+  glm::vec3 wall{0.0f}, lamp{0.0f};
+};
+
+// Mean radiance that arrives at a place from all around; a lamp counts as `inLampsPlace`.
+dvec3 meanShine(const dvec3& place, const ShiningRoom& room, const dvec3& inLampsPlace, int paths) {
+  std::mt19937 random(59);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  dvec3 sum(0.0);
+  for (int i = 0; i < paths; ++i) {
+    const double z = 1.0 - 2.0 * (i + any(random)) / paths, phi = 2.0 * kPi * any(random);
+    dvec3 at = place, d(std::sqrt(1.0 - z * z) * std::cos(phi), std::sqrt(1.0 - z * z) * std::sin(phi), z), share(1.0);
+    for (int bounce = 0; bounce < 60; ++bounce) {
+      const auto met = room.first(at, d);
+      at += (met->distance - 1e-9) * d;
+      if (room.ofLamp(at)) {
+        sum += share * (bounce == 0 ? inLampsPlace : dvec3(room.lamp));
+        break;
+      }
+      sum += share * dvec3(met->emitted);
+      share *= dvec3(met->albedo);
+      const double height = std::sqrt(any(random)), turn = 2.0 * kPi * any(random),
+                   r = std::sqrt(1.0 - height * height);
+      const dvec3 side = std::abs(met->normal.x) > 0.5 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
+      d = height * met->normal + r * (std::cos(turn) * side + std::sin(turn) * glm::cross(met->normal, side));
+    }
+  }
+  return sum / static_cast<double>(paths);
+}
+
+// What shines where no capture sees it lights nodes; of a lamp that is drawn as a shape they have what stands in its
+// place, and what it lights.
+TEST(TracedLattice, WhatShinesUnseenLightsNodes) {
+  auto room = std::make_shared<ShiningRoom>();
+  room->wall = {0.9f, 0.5f, 0.2f};
+  room->lamp = {6.0f, 4.0f, 3.0f};
+  auto lamps = std::make_shared<SceneLamps>();
+  SceneLamp lamp;
+  lamp.corners = {{0.2, -0.5, kLow.z}, {1.6, -0.5, kLow.z}, {1.6, 0.8, kLow.z}, {0.2, 0.8, kLow.z}};
+  lamp.middle = {0.9, 0.15, kLow.z};
+  lamp.normal = {0.0, 0.0, 1.0};
+  lamp.radiance = room->lamp;
+  lamps->lamps.push_back(lamp);
+  LatticeSurroundings in;
+  in.lines = room;
+  in.lamps = lamps;
+  in.drawn = {0};
+  CubeMap dark(8, 1);
+  for (int face = 0; face < 6; ++face) std::fill_n(dark.face(0, face), 8 * 8 * 4, 0.0f);
+  const CubeMap means = plainMeans(dark);
+  shading::ProbeShape shape{};
+  shape.boxMin = glm::vec3(kLow);
+  shape.boxMax = glm::vec3(kHigh);
+  shape.projection = 0;
+  DiffuseLattice base = makeDiffuseLattice(means, shape);
+  for (const glm::vec3 standIn : {glm::vec3(0.0f), glm::vec3(0.7f, 1.1f, 9.0f)}) {
+    base.standIns = {standIn};
+    const DiffuseLattice lattice = tracedLattice(base, means, in);
+    const glm::ivec3 n = lattice.nodes;
+    for (const glm::ivec3 p : {glm::ivec3(1, 1, 1), glm::ivec3(n.x - 1, 0, n.z - 2), glm::ivec3(2, n.y - 1, 0)}) {
+      const auto node = static_cast<std::size_t>((p.z * n.y + p.y) * n.x + p.x);
+      const glm::vec3 place = lattice.low + glm::vec3(p) * (lattice.high - lattice.low) / glm::vec3(n - 1);
+      const dvec3 truth = meanShine(dvec3(place), *room, dvec3(glm::min(standIn, room->lamp)), 20000);
+      const glm::vec3 first(lattice.texels[node]);
+      std::printf("node %d %d %d: %.4f %.4f %.4f, true %.4f %.4f %.4f\n", p.x, p.y, p.z, static_cast<double>(first.x),
+                  static_cast<double>(first.y), static_cast<double>(first.z), truth.x, truth.y, truth.z);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(static_cast<double>(first[c]) / truth[c], 1.0, 0.04) << c;
+    }
+  }
+}
+
 // A floor without end under the sky; the place of the capture is walled in.
 struct Floor : SightLines {
   explicit Floor(double height) : height_(height) {}

@@ -16,10 +16,11 @@ namespace boxprobe {
 class SightLines {
  public:
   struct Met {
-    double distance = 0.0;   ///< scene units
-    bool back = false;       ///< the side was met from which the triangle's corners run clockwise
-    glm::dvec3 normal{0.0};  ///< unit, world, on the side that was met
-    glm::vec3 albedo{0.0f};  ///< light scattered over light received, mean over its textures; a metal counts as matt
+    double distance = 0.0;    ///< scene units
+    bool back = false;        ///< the side was met from which the triangle's corners run clockwise
+    glm::dvec3 normal{0.0};   ///< unit, world, on the side that was met
+    glm::vec3 albedo{0.0f};   ///< light scattered over light received, mean over its textures; a metal counts as matt
+    glm::vec3 emitted{0.0f};  ///< radiance that it shines with on the side that was met, mean over its textures
   };
 
   virtual ~SightLines() = default;

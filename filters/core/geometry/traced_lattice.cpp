@@ -70,6 +70,24 @@ CubeMap withoutSky(const CubeMap& means, const LatticeSurroundings& in) {
   return plainMeans(surfaces);
 }
 
+// The drawn lamp, counted among them, that shines at a surface's point (world, so far off it at most) against the
+// direction.
+std::optional<std::size_t> lampAt(const LatticeSurroundings& in, const glm::dvec3& at, const glm::dvec3& direction,
+                                  double off) {
+  for (std::size_t k = 0; k < in.drawn.size(); ++k) {
+    const SceneLamp& lamp = in.lamps->lamps[in.drawn[k]];
+    if (std::abs(glm::dot(at - lamp.middle, lamp.normal)) > off) continue;
+    if (!lamp.bothSides && glm::dot(direction, lamp.normal) >= 0.0) continue;
+    bool inside = true;
+    for (std::size_t i = 0; i < lamp.corners.size(); ++i) {
+      const glm::dvec3 &a = lamp.corners[i], &b = lamp.corners[(i + 1) % lamp.corners.size()];
+      inside &= glm::dot(glm::cross(b - a, at - a), lamp.normal) >= 0.0;
+    }
+    if (inside) return k;
+  }
+  return std::nullopt;
+}
+
 class NodeTracer {
  public:
   NodeTracer(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in, int rays)
@@ -85,6 +103,9 @@ class NodeTracer {
     high_ = base.high + inset;
     for (const std::size_t lamp : in.drawn) {
       polygons_.push_back(lampPolygon(in.lamps->lamps[lamp], in.originWorld));
+      const std::size_t k = polygons_.size() - 1;
+      const glm::vec3 standIn = k < base.standIns.size() ? base.standIns[k] : glm::vec3(0.0f);
+      standIns_.push_back(glm::min(standIn, glm::vec3(in.lamps->lamps[lamp].radiance)));
     }
     const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
     for (int i = 0; i < rays_; ++i) {
@@ -167,6 +188,7 @@ class NodeTracer {
     const glm::dvec3& direction = directions_[ray];
     const glm::dvec3 at = from + hit.distance * direction, off = at + margin_ * hit.normal, way = at - in_.originWorld;
     const double length = glm::length(way);
+    if (const auto lamp = lampAt(in_, at, direction, 0.1 * margin_)) return standIns_[*lamp];
     if (length > 0.0 && glm::dot(way, hit.normal) < 0.0 && !in_.lines->blocked(in_.originWorld, off, true)) {
       const double towards = std::max(-glm::dot(hit.normal, direction), 0.05);
       const double seen = -glm::dot(hit.normal, way) / length, ratio = hit.distance / length;
@@ -178,11 +200,11 @@ class NodeTracer {
     }
     const glm::dvec3 inProbe = glm::transpose(in_.worldFromProbe) * (off - in_.originWorld);
     if (!sky_.empty() && !within(inProbe) && !in_.lines->first(off, hit.normal)) {
-      return hit.albedo * (arriving(off, hit.normal) + underSky(hit.normal));
+      return hit.emitted + hit.albedo * (arriving(off, hit.normal) + underSky(hit.normal));
     }
     const glm::vec3 facing(glm::transpose(in_.worldFromProbe) * hit.normal);
     ends.push_back({glm::vec3(inProbe), facing, glm::vec3(hit.normal), hit.albedo, ray});
-    return hit.albedo * arriving(off, hit.normal);
+    return hit.emitted + hit.albedo * arriving(off, hit.normal);
   }
 
   // Of a ray that leaves the box, through a door: towards where it does, if the origin sees that. Its map has the next
@@ -203,7 +225,8 @@ class NodeTracer {
     return way / length;
   }
 
-  // Irradiance over pi of lamps and light sources at a place that the capture origin does not see.
+  // Irradiance over pi of lamps and light sources at a place that the capture origin does not see, beside what the
+  // lattice has there.
   glm::vec3 arriving(const glm::dvec3& at, const glm::dvec3& normal) const {
     const glm::vec3 n(normal), position(at - in_.originWorld);
     glm::vec3 sum(0.0f);
@@ -212,7 +235,7 @@ class NodeTracer {
       if (share <= 1.0e-6f) continue;
       const SceneLamp& lamp = in_.lamps->lamps[in_.drawn[i]];
       const glm::dvec3 to = lamp.middle + (at - lamp.middle) * 1.0e-3;
-      if (!in_.lines->blocked(at, to, true)) sum += share * glm::vec3(lamp.radiance);
+      if (!in_.lines->blocked(at, to, true)) sum += share * (glm::vec3(lamp.radiance) - standIns_[i]);
     }
     static const std::vector<Light> kNone;
     for (const Light& light : in_.lights ? *in_.lights : kNone) {
@@ -244,6 +267,7 @@ class NodeTracer {
   double margin_ = 0.0, far_ = 0.0, texelsPerRay_ = 1.0;
   glm::vec3 low_{0.0f}, high_{0.0f};    // of the box, probe frame
   std::vector<LampPolygon> polygons_;   // relative to the capture origin, world axes
+  std::vector<glm::vec3> standIns_;     // of each, not more than its radiance
   std::vector<glm::dvec3> directions_;  // world
   std::vector<std::array<float, 9>> basis_;
   std::vector<glm::vec3> sky_;  // along each direction; empty: the capture shows it
@@ -379,7 +403,9 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
   const glm::dvec3 most = glm::dvec3(high) + glm::dvec3(0.1 * std::max({size.x, size.y, size.z}));
   const glm::dvec3 least = glm::dvec3(low) - glm::dvec3(0.1 * std::max({size.x, size.y, size.z}));
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  const double off = 3.0e-5 * std::max({size.x, size.y, size.z});
   int out = 0, all = 0;
+  bool shines = false;  // something that is not drawn as a shape
   for (int k = 0; k < kPlaces * kPlaces * kPlaces; ++k) {
     const glm::dvec3 share((k % 3 + 0.5) / kPlaces, (k / 3 % 3 + 0.5) / kPlaces, (k / 9 + 0.5) / kPlaces);
     const glm::dvec3 from = glm::dvec3(low) + share * size;
@@ -388,15 +414,19 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
                    phi = 2.0 * kTracePi * (i * golden - std::floor(i * golden));
       const double r = std::sqrt(1.0 - z * z);
       const glm::dvec3 along(r * std::cos(phi), r * std::sin(phi), z);
-      const auto hit = in.lines->first(in.originWorld + in.worldFromProbe * from, in.worldFromProbe * along);
+      const glm::dvec3 fromWorld = in.originWorld + in.worldFromProbe * from, alongWorld = in.worldFromProbe * along;
+      const auto hit = in.lines->first(fromWorld, alongWorld);
       if (hit && hit->back) continue;  // within something
+      shines |= hit && hit->emitted != glm::vec3(0.0f) &&
+                !lampAt(in, fromWorld + hit->distance * alongWorld, alongWorld, off);
       ++all;
       const glm::dvec3 at = from + (hit ? hit->distance : 1.0e3 * glm::length(size)) * along;
       const bool stays = glm::all(glm::greaterThanEqual(at, least)) && glm::all(glm::lessThanEqual(at, most));
       out += stays ? 0 : 1;
     }
   }
-  return out > kDoor * all && out < kNoRoom * all ? 0.5f * usual : usual;
+  const bool opens = out > kDoor * all && out < kNoRoom * all;
+  return opens || shines ? 0.5f * usual : usual;
 }
 
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,

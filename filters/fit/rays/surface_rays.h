@@ -17,6 +17,7 @@ struct SurfaceHit {
   double roughness = 0.0;       ///< perceptual; 0 if unknown
   double reflectance = 0.04;    ///< reflectance at normal incidence, mean of the colours
   glm::vec3 albedo{0.0f};       ///< including a metal's reflection; 0 if unknown
+  glm::vec3 emitted{0.0f};      ///< radiance on the side that was met, mean over its textures; 0 if unknown
 };
 
 class SurfaceRays {

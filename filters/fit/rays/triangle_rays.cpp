@@ -134,7 +134,8 @@ double meanOf(const TextureUse& texture, std::size_t channel) {
 
 struct ReflectingLook {
   double roughness = 0.0, reflectance = 0.0;
-  glm::vec3 albedo{0.0f};
+  glm::vec3 albedo{0.0f}, emitted{0.0f};
+  bool bothSides = false;
 };
 
 /// The linear mean of a texture's colours, from a few hundred texels; white without a texture.
@@ -153,13 +154,14 @@ glm::vec3 meanColorOf(const TextureUse& texture) {
 /// With the scene's overrides; of a coated material the coat.
 ReflectingLook reflectingLook(const Material& original, const Scene& scene) {
   const Material material = overriddenMaterial(original, scene);
-  if (material.unlit) return {1.0, 0.0, glm::vec3(0.0f)};
+  const glm::vec3 baseColor = glm::vec3(material.baseColor) * meanColorOf(material.baseColorTexture);
+  if (material.unlit) return {1.0, 0.0, glm::vec3(0.0f), baseColor, material.doubleSided};
   const double ior = material.reflectedIor(), dielectric = std::pow((ior - 1.0) / (ior + 1.0), 2.0);
   const double metallic = material.metallic * meanOf(material.metallicRoughnessTexture, 2);
   const double color = (material.baseColor.x + material.baseColor.y + material.baseColor.z) / 3.0;
-  ReflectingLook look{
-      material.roughness * meanOf(material.metallicRoughnessTexture, 1), dielectric + metallic * (color - dielectric),
-      glm::min(glm::vec3(material.baseColor) * meanColorOf(material.baseColorTexture), glm::vec3(1.0f))};
+  ReflectingLook look{material.roughness * meanOf(material.metallicRoughnessTexture, 1),
+                      dielectric + metallic * (color - dielectric), glm::min(baseColor, glm::vec3(1.0f)),
+                      material.emissive * meanColorOf(material.emissiveTexture), material.doubleSided};
   if (material.coat > 0.0f && material.coatRoughness < look.roughness) {
     look.roughness = material.coatRoughness;
     look.reflectance = std::max(0.04 * material.coat, look.reflectance);
@@ -244,7 +246,7 @@ TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seen
     const auto [look, added] = known.try_emplace(each.material);
     if (added) look->second = reflectingLook(each.material != nullptr ? *each.material : Material{}, scene);
     looks_.push_back({static_cast<std::uint32_t>(triangles_), look->second.roughness, look->second.reflectance,
-                      look->second.albedo});
+                      look->second.albedo, look->second.emitted, look->second.bothSides});
     triangles_ += each.mesh->indices.size() / 3;
     positions += each.mesh->positions.size();
     bounds_ = united(bounds_, each.bounds);
@@ -319,7 +321,8 @@ std::optional<SurfaceHit> TriangleRays::first(const glm::dvec3& origin, const gl
   const auto after = std::upper_bound(looks_.begin(), looks_.end(), query.hit.primID,
                                       [](std::uint32_t id, const Look& look) { return id < look.firstTriangle; });
   const Look& look = *std::prev(after);
-  return SurfaceHit{query.ray.tfar, back, back ? -unit : unit, look.roughness, look.reflectance, look.albedo};
+  const glm::vec3 emitted = back && !look.bothSides ? glm::vec3(0.0f) : look.emitted;
+  return SurfaceHit{query.ray.tfar, back, back ? -unit : unit, look.roughness, look.reflectance, look.albedo, emitted};
 }
 
 bool TriangleRays::between(const glm::dvec3& from, const glm::dvec3& to) const {

@@ -52,7 +52,8 @@ class TriangleRays : public SurfaceRays {
   struct Look {
     std::uint32_t firstTriangle = 0;
     double roughness = 0.0, reflectance = 0.0;
-    glm::vec3 albedo{0.0f};
+    glm::vec3 albedo{0.0f}, emitted{0.0f};
+    bool bothSides = false;  ///< shine
   };
   std::vector<Look> looks_;  ///< one per placed mesh
 };

@@ -48,7 +48,7 @@ class TriangleSight : public SightLines {
       if (rays == nullptr) continue;
       const auto hit = rays->first(from, direction);
       if (hit && (!nearest || hit->distance < nearest->distance))
-        nearest = Met{hit->distance, hit->back, hit->normalWorld, hit->albedo};
+        nearest = Met{hit->distance, hit->back, hit->normalWorld, hit->albedo, hit->emitted};
     }
     return nearest;
   }

@@ -151,4 +151,31 @@ CubeMap withoutLamps(const CubeMap& capture, const CubeMap& distance, const std:
   return result;
 }
 
+std::vector<glm::vec3> lampStandIns(const CubeMap& without, const std::vector<LampPolygon>& lamps) {
+  std::vector<glm::vec3> standIns;
+  for (const LampPolygon& lamp : lamps) {
+    const auto corner = [&](int i) { return lamp.corners[static_cast<std::size_t>(i % lamp.count)]; };
+    glm::vec3 middle(0.0f), sum(0.0f);
+    float area = 0.0f;
+    for (int i = 0; i < lamp.count; ++i) middle += corner(i) / static_cast<float>(lamp.count);
+    for (int i = 0; i < lamp.count && !without.empty(); ++i) {  // of each triangle around the middle three points
+      const glm::vec3 a = corner(i), b = corner(i + 1);
+      const float weight = glm::length(glm::cross(a - middle, b - middle));
+      for (int k = 0; k < 3; ++k) {
+        const glm::vec3 share = glm::vec3(1.0f / 6.0f) + 0.5f * glm::vec3(k == 0, k == 1, k == 2);
+        const glm::vec3 at = share.x * middle + share.y * a + share.z * b;
+        if (!(glm::length(at) > 0.0f)) continue;
+        sum += weight * glm::vec3(without.fetch(at, 0.0f));
+        area += weight;
+      }
+    }
+    standIns.push_back(area > 0.0f ? sum / area : glm::vec3(0.0f));
+  }
+  return standIns;
+}
+
+glm::vec3 withoutStandIn(const glm::vec3& radiance, const glm::vec3& standIn) {
+  return glm::max(radiance - standIn, glm::vec3(0.0f));
+}
+
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// The maps without lamps (maps/lamp_free_maps.h) for the rough surface of a binding. To be called before a draw, with
-// the window's context current.
+// The maps without lamps (maps/lamp_free_maps.h) for the rough surface of a binding, and what its lamps give beside
+// them. To be called before a draw, with the window's context current.
 #pragma once
 
 #include "filters/vtk/draw/draw_state.h"
@@ -9,5 +9,12 @@ namespace boxprobe {
 
 /// Makes them with the levels that the binding needs. If memory is short, the probe's own map is sampled.
 void makeLampFree(const DrawState& state, const ProbeBinding& binding);
+
+/// A lamp's radiance, less what stands in its place in the lattices of the binding's probes and in their maps without
+/// lamps, which its shape would be added to: the mean over the probes.
+struct LampLight {
+  glm::vec3 diffuse{0.0f}, glossy{0.0f};
+};
+LampLight lampLight(const DrawState& state, const ProbeBinding& binding, std::size_t lamp);
 
 }  // namespace boxprobe

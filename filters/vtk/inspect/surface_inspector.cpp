@@ -11,6 +11,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/math/technique/automatic.h"
+#include "filters/vtk/draw/probe_lamps.h"
 #include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/maps/cube_transfer.h"
@@ -228,6 +229,9 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     if (probe.lattice || probe.lampFree != nullptr) {
       for (const std::size_t lamp : drawn.lamps) {
         probe.lamps.push_back(content_->lamps->lamps[lamp]);
+        const LampLight light = lampLight(*state_, binding, lamp);
+        probe.lampDiffuse.push_back(light.diffuse);
+        probe.lampGlossy.push_back(light.glossy);
         if (drawn.sight) probe.lampChannels.push_back(drawn.sight->channelOfLamp(lamp));
       }
     }

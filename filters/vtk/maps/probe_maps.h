@@ -60,6 +60,7 @@ struct ProbeMaps {
   struct LampFree {
     std::shared_ptr<ProbeMaps> maps;  ///< only a chain; null: not made
     std::vector<LampPolygon> of;      ///< the lamps removed from it
+    std::vector<glm::vec3> standIns;  ///< of each, what stands in its place (lampStandIns)
     bool refused = false;
   };
   mutable LampFree lampFree;

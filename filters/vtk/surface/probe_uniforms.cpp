@@ -18,6 +18,7 @@
 
 #include "filters/core/geometry/lamp_reach.h"
 #include "filters/core/picture/probe_color.h"
+#include "filters/vtk/draw/probe_lamps.h"
 #include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/surface/camera_uniforms.h"
@@ -233,7 +234,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   if (binding.lampLobes) to.program->SetUniform1fv("bpLampFree", static_cast<int>(count), free.data());
   constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
   std::array<glm::vec3, kLamps * kCorners> corners{};
-  std::array<glm::vec3, kLamps> light{}, middle{};
+  std::array<glm::vec3, kLamps> light{}, glossy{}, middle{};
   std::array<glm::vec4, kLamps> slots{}, channels{}, plane{};
   std::array<int, kLamps> shape{};
   shape[0] = 3;  // the loop has one turn at least: of a lamp that is a point and gives nothing
@@ -248,16 +249,20 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
     middle[k] = shading::lampMiddle(&polygon);
     plane[k] = shading::lampPlane(&polygon);
-    light[k] = glm::vec3(lamp.radiance);
+    const LampLight shines = lampLight(state, binding, drawn[k]);
+    light[k] = shines.diffuse;
+    glossy[k] = shines.glossy;
     slots[k] = lampOf[drawn[k]];
     channels[k] = lampChannels(state.pass(), binding, drawn[k]);
   }
   const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
   if (binding.lampLobes) {
-    const auto lampsEnd = light.begin() + static_cast<long>(drawn.size());
-    const bool several = std::any_of(light.begin(), lampsEnd, [&](const glm::vec3& l) {
-      return glm::length(glm::normalize(l) - glm::normalize(light[0])) > 1.0e-3f;
+    const auto lampsEnd = glossy.begin() + static_cast<long>(drawn.size());
+    const auto hue = [](const glm::vec3& l) { return l / std::max(l.x + l.y + l.z, 1.0e-30f); };
+    const bool several = std::any_of(glossy.begin(), lampsEnd, [&](const glm::vec3& l) {
+      return glm::length(hue(l) - hue(glossy[0])) > 1.0e-3f;
     });
+    vectors("bpLampGlossy", glossy.data(), used);
     to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
     to.program->SetUniformi("bpLobeCount", state.pass().capture ? 0 : static_cast<int>(drawn.size()));
   }
