@@ -79,11 +79,15 @@ std::optional<std::size_t> lampAt(const LatticeSurroundings& in, const glm::dvec
     if (std::abs(glm::dot(at - lamp.middle, lamp.normal)) > off) continue;
     if (!lamp.bothSides && glm::dot(direction, lamp.normal) >= 0.0) continue;
     bool inside = true;
+    double farthest = 0.0;
     for (std::size_t i = 0; i < lamp.corners.size(); ++i) {
       const glm::dvec3 &a = lamp.corners[i], &b = lamp.corners[(i + 1) % lamp.corners.size()];
       inside &= glm::dot(glm::cross(b - a, at - a), lamp.normal) >= 0.0;
+      farthest = std::max(farthest, glm::length(a - lamp.middle));
     }
-    if (inside) return k;
+    // The polygon of a round lamp leaves some of its rim out.
+    const bool round = lamp.corners.size() == shading::kLampCorners && glm::length(at - lamp.middle) <= farthest;
+    if (inside || round) return k;
   }
   return std::nullopt;
 }
@@ -397,6 +401,7 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
   // Of the rays of a few places in the box: so much goes out where there is a door, so much where there is hardly a
   // box.
   constexpr double kDoor = 0.01, kNoRoom = 0.5;
+  constexpr double kBright = 4.0;  // a lamp is so much brighter than the mean
   constexpr int kPlaces = 3, kRaysOfPlace = 64;
   const glm::dvec3 size(high - low);
   // Walls are not always where the box has them.
@@ -405,7 +410,7 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
   const double off = 3.0e-5 * std::max({size.x, size.y, size.z});
   int out = 0, all = 0;
-  bool shines = false;  // something that is not drawn as a shape
+  double brightest = 0.0, sum = 0.0;  // of what shines and is not drawn as a shape
   for (int k = 0; k < kPlaces * kPlaces * kPlaces; ++k) {
     const glm::dvec3 share((k % 3 + 0.5) / kPlaces, (k / 3 % 3 + 0.5) / kPlaces, (k / 9 + 0.5) / kPlaces);
     const glm::dvec3 from = glm::dvec3(low) + share * size;
@@ -417,8 +422,11 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
       const glm::dvec3 fromWorld = in.originWorld + in.worldFromProbe * from, alongWorld = in.worldFromProbe * along;
       const auto hit = in.lines->first(fromWorld, alongWorld);
       if (hit && hit->back) continue;  // within something
-      shines |= hit && hit->emitted != glm::vec3(0.0f) &&
-                !lampAt(in, fromWorld + hit->distance * alongWorld, alongWorld, off);
+      if (hit && !lampAt(in, fromWorld + hit->distance * alongWorld, alongWorld, off)) {
+        const auto light = static_cast<double>(hit->emitted.x + hit->emitted.y + hit->emitted.z);
+        brightest = std::max(brightest, light);
+        sum += light;
+      }
       ++all;
       const glm::dvec3 at = from + (hit ? hit->distance : 1.0e3 * glm::length(size)) * along;
       const bool stays = glm::all(glm::greaterThanEqual(at, least)) && glm::all(glm::lessThanEqual(at, most));
@@ -426,6 +434,7 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
     }
   }
   const bool opens = out > kDoor * all && out < kNoRoom * all;
+  const bool shines = brightest * all > kBright * sum;
   return opens || shines ? 0.5f * usual : usual;
 }
 
