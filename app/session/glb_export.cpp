@@ -10,9 +10,11 @@
 
 #include "app/session/interrupt.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/program_name.h"
 #include "app/session/scene_work.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"
+#include "filters/io/engines/glb_models.h"
 #include "filters/io/engines/glb_probes.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/platform/folders.h"
@@ -75,9 +77,13 @@ BakedProbeFile unbaked(const Probe& probe, const BakedMaps& maps) {
 GlbExporter::GlbExporter(GlbWishes wishes) : wishes_(std::move(wishes)) {}
 GlbExporter::~GlbExporter() = default;
 
-std::string GlbExporter::bytes(const LoadedScene& loaded, const InterruptGuard& interrupt) {
-  const Scene& scene = loaded.scene;
-  requireGlbScene(scene, wishes_.path);
+std::string GlbExporter::bytes(const LoadedScene& given, const InterruptGuard& interrupt) {
+  requireGlbScene(given.scene, wishes_.path);
+  // Captured is what will be read from the file, so that its maps hold there.
+  const ScratchFolder scratch;
+  const bool joins = needsJoining(given.scene);
+  const Scene scene = joins ? withJoinedModels(given.scene, given.models, scratch.name()) : given.scene;
+  const SceneModels models = joins ? loadModels(scene) : given.models;
   if (!shown_) {
     shown_ = std::make_unique<OffscreenScene>(
         OffscreenSettings{"boxprobe export", 16, 16, 1, wishes_.quiet, false, wishes_.offscreen, false});
@@ -88,19 +94,17 @@ std::string GlbExporter::bytes(const LoadedScene& loaded, const InterruptGuard& 
     if (probe.mode == ProbeMode::Baked) settings.bakeTargets.push_back(probe.name);
   }
   if (!settings.bakeTargets.empty()) {
-    shown_->show(scene, loaded.models, settings);
+    shown_->show(scene, models, settings);
     captureShown(*shown_, interrupt, wishes_.quiet);
     settings.bakeTargets.clear();
   }
-  shown_->show(scene, loaded.models, settings);
+  shown_->show(scene, models, settings);
   captureShown(*shown_, interrupt, wishes_.quiet);
 
   SceneRenderer& renderer = shown_->renderer();
-  const ScratchFolder scratch;
-  const char* program = "Boxprobe " BOXPROBE_VERSION;
   GlbScene content;
   content.scene = scene;
-  content.writer = program;
+  content.writer = kProgramName;
   const BakeFolder before(wishes_.bakedFolder);
   for (const Probe& probe : scene.probes) {
     interrupt.check();
@@ -109,7 +113,7 @@ std::string GlbExporter::bytes(const LoadedScene& loaded, const InterruptGuard& 
     if (probe.mode == ProbeMode::Baked) {
       const std::vector<std::string> keys = renderer.bakeKeys(probe.name);
       const bool kept = !keys.empty() && before.has(keys.back());
-      file = kept ? before.file(keys.back()) : renderer.saveBaked(probe.name, scratch.name(), program);
+      file = kept ? before.file(keys.back()) : renderer.saveBaked(probe.name, scratch.name(), kProgramName);
     }
     if (!file.empty()) {
       content.maps.emplace_back(loadBakedProbe(file));
@@ -120,14 +124,14 @@ std::string GlbExporter::bytes(const LoadedScene& loaded, const InterruptGuard& 
     }
   }
   while (renderer.filterMissingLevel({})) interrupt.check();
-  if (const std::string file = renderer.saveBaked({}, scratch.name(), program); !file.empty()) {
+  if (const std::string file = renderer.saveBaked({}, scratch.name(), kProgramName); !file.empty()) {
     content.sky = loadBakedProbe(file);
   }
   drawLattices(*shown_, scene);
   shown_->requireHealthy();
   content.diffuse = renderer.probesDiffuse();
   written_ = std::make_unique<GlbScene>(std::move(content));
-  return glbWithProbes(*written_, *loaded.models.front(), wishes_.path);
+  return glbWithProbes(*written_, models, wishes_.path);
 }
 
 std::string GlbExporter::bytesOfBefore(const LoadedScene& loaded) const {
@@ -147,7 +151,7 @@ std::string GlbExporter::bytesOfBefore(const LoadedScene& loaded) const {
     if (*before < written_->maps.size()) content.maps.back() = written_->maps[*before];
     if (*before < written_->diffuse.probes.size()) content.diffuse.probes.back() = written_->diffuse.probes[*before];
   }
-  return glbWithProbes(content, *loaded.models.front(), wishes_.path);
+  return glbWithProbes(content, loaded.models, wishes_.path);
 }
 
 RunStats GlbExporter::stats() const {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "app/session/display_picture.h"
+#include "app/session/program_name.h"
 #include "app/web/base64.h"
 #include "app/web/markup.h"
 #include "app/web/web_source.h"
@@ -260,7 +261,7 @@ std::string ReviewPage::text() const {
          "path-traced picture divided by that picture's summed squares, in linear light, with the path tracer's noise "
          "subtracted; 0 means equal. Light: the drawn picture's mean divided by the traced one's. Error maps show "
          "display colours.</p>\n" +
-         sections_ + "</main>\n<footer><p>Boxprobe " BOXPROBE_VERSION "</p><pre><code>" + markup(settings_.command) +
+         sections_ + "</main>\n<footer><p>" + kProgramName + "</p><pre><code>" + markup(settings_.command) +
          "</code></pre></footer>\n<script>\n" + std::string(webSource("review.js")) + "</script></body></html>\n";
 }
 

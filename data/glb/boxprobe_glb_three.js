@@ -2,12 +2,11 @@
 // light from lattices and lamps, as data/glb/README.md specifies.
 //   const gltf = await loadBoxprobeGlb('room.glb');
 //   scene.add(gltf.scene);                       // gltf.boxprobe is the extension; its scene.cameras are gltf.cameras, too
-//
-// Left out: shadows of lamps, lamps as shapes in reflections, techniques other than `box` and `infinite`.
+//   scene.background = gltf.scene.userData.background || null; renderer.shadowMap.enabled = true;
+// Left out: shadows of lamps, lamps as shapes in reflections, a sky's picture as the background, techniques other than `box` and `infinite`.
 import {
-  Box3, Color, CompressedCubeTexture, Data3DTexture, HalfFloatType, LinearFilter, LinearMipmapLinearFilter, Matrix3, Matrix4, NoColorSpace,
-  Quaternion, RGBAFormat, Vector3,
-} from 'three';
+  Box3, Color, CompressedCubeTexture, Data3DTexture, DataTexture, DataUtils, DoubleSide, EquirectangularReflectionMapping, HalfFloatType, LinearFilter,
+  LinearMipmapLinearFilter, Matrix3, Matrix4, NoColorSpace, Quaternion, RGBAFormat, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
 const NAME = 'BOXPROBE_reflection_probes', MOST = 4;  // probes of a mesh
@@ -17,14 +16,18 @@ export function loadBoxprobeGlb(url) {
   return new GLTFLoader().register((parser) => new Probes(parser)).loadAsync(url);
 }
 
+/** Colour by the direction's y, as a scene's sky is without a picture. */
+function background({ color, image, top = [0.3, 0.45, 0.7], horizon = [0.75, 0.82, 0.9], ground = [0.18, 0.17, 0.16] } = {}) {
+  if (color || image) return color ? new Color().fromArray(color) : null;
+  const rows = 1024, heights = [...Array(rows).keys()].map((row) => Math.sin(((row + 0.5) / rows - 0.5) * Math.PI));
+  const colors = heights.flatMap((y) => [0, 1, 2].map((c) => horizon[c] + Math.abs(y) * ((y > 0 ? top : ground)[c] - horizon[c])).concat(1));
+  const texture = new DataTexture(Uint16Array.from(colors, (v) => DataUtils.toHalfFloat(v)), 1, rows, RGBAFormat, HalfFloatType);
+  return Object.assign(linear(texture, LinearFilter), { mapping: EquirectangularReflectionMapping });
+}
 const turned = (quaternion) => new Matrix3().setFromMatrix4(new Matrix4().makeRotationFromQuaternion(quaternion));
 const linear = (texture, minFilter) => Object.assign(texture, { colorSpace: NoColorSpace, minFilter, magFilter: LinearFilter, generateMipmaps: false, needsUpdate: true });
 class Probes {
-  constructor(parser) {
-    this.name = NAME;
-    this.parser = parser;
-    this.views = new Map();
-  }
+  constructor(parser) { Object.assign(this, { name: NAME, parser }); }
   async afterRoot(gltf) {
     const data = this.parser.json.extensions?.[NAME];
     if (!data) return;
@@ -33,12 +36,18 @@ class Probes {
     this.data = data;
     this.maps = await Promise.all(data.maps.map((map) => this.cube(map)));
     this.lattices = await Promise.all((data.lattices || []).map((lattice) => this.lattice(lattice)));
-    if (data.scene.sky?.color) gltf.scene.userData.background = new Color().fromArray(data.scene.sky.color);
+    gltf.scene.userData.background = background(data.scene.sky);
     this.probes = data.probes.filter((probe) => probe.map !== undefined).map((probe) => this.probe(probe))
       .sort((a, b) => b.importance - a.importance);
     gltf.scene.updateMatrixWorld(true);
-    const meshes = [], made = new Map();
+    const meshes = [], made = new Map(), all = new Box3().setFromObject(gltf.scene, true), size = all.getSize(new Vector3()).length();
     gltf.scene.traverse((object) => {
+      object.castShadow = object.isDirectionalLight === true;
+      if (object.castShadow) {  // a sun: from the middle of everything, to both sides
+        Object.assign(object.shadow.camera, { left: -size / 2, right: size / 2, bottom: -size / 2, top: size / 2, near: -size, far: size });
+        Object.assign(object.shadow, { normalBias: size / 4096, bias: -1e-5 }).mapSize.set(4096, 4096);
+        object.position.copy(object.parent.worldToLocal(all.getCenter(new Vector3())));
+      } else if (object.isMesh) object.castShadow = !object.material.transparent && !object.material.transmission, object.receiveShadow = true, object.material.shadowSide = DoubleSide;
       const settings = data.scene.objects?.[this.nodeName(object)] || {};
       if (settings.visible === false) object.visible = false;
       if (object.isMesh && object.material.isMeshStandardMaterial && settings.probeMode !== 'off') meshes.push([object, settings]);
@@ -53,11 +62,8 @@ class Probes {
     }
   }
   nodeName(object) {
-    for (let above = object; above; above = above.parent) {
-      const node = this.parser.associations.get(above)?.nodes;
-      if (node !== undefined) return this.parser.json.nodes[node].name;
-    }
-    return undefined;
+    const node = this.parser.associations.get(object)?.nodes;
+    return node !== undefined ? this.parser.json.nodes[node].name : object.parent ? this.nodeName(object.parent) : undefined;
   }
   async halves(view) { return new Uint16Array(await this.parser.getDependency('bufferView', view)); }
   async cube(map) {
@@ -80,8 +86,7 @@ class Probes {
     const data = new Uint16Array(parts[0].length + (parts[1]?.length || 0));
     parts.forEach((part, i) => data.set(part, i * parts[0].length));
     const count = cuts === undefined ? 7 : 10;
-    const texture = new Data3DTexture(data, nodes[0], nodes[1], nodes[2] * count);
-    Object.assign(texture, { format: RGBAFormat, type: HalfFloatType });
+    const texture = Object.assign(new Data3DTexture(data, nodes[0], nodes[1], nodes[2] * count), { format: RGBAFormat, type: HalfFloatType });
     const size = max.map((v, i) => v - min[i]);
     return { texture: linear(texture, LinearFilter), count, nodes: new Vector3(...nodes), low: new Vector3(...min), perUnit: new Vector3(...size.map((v, i) => (nodes[i] - 1) / Math.max(v, 1e-30))) };
   }
@@ -160,14 +165,11 @@ float bpWeight(vec3 inside, vec3 rate) { vec3 x = clamp(inside * rate, 0.0, 1.0)
 float bpLevel(float roughness, float last) { return log2(1.0 + roughness * roughness * (exp2(last) - 1.0)); }
 vec3 bpHit(vec3 p, vec3 r, vec3 low, vec3 high) {
   vec3 speed = max(abs(r), vec3(1e-20)), gap = max(mix(p - low, high - p, step(0.0, r)), 0.0) / speed;
-  return p + min(gap.x, min(gap.y, gap.z)) * r;
-}
+  return p + min(gap.x, min(gap.y, gap.z)) * r; }
 vec3 bpIrradiance(vec3 n, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e, vec3 f, vec3 g, vec3 h, vec3 i) {
-  return max(a + b * n.y + c * n.z + d * n.x + e * n.x * n.y + f * n.y * n.z + g * (3.0 * n.z * n.z - 1.0) + h * n.x * n.z + i * (n.x * n.x - n.y * n.y), 0.0);
-}
+  return max(a + b * n.y + c * n.z + d * n.x + e * n.x * n.y + f * n.y * n.z + g * (3.0 * n.z * n.z - 1.0) + h * n.x * n.z + i * (n.x * n.x - n.y * n.y), 0.0); }
 vec4 bpNode(highp sampler3D map, float parts, vec3 nodes, vec3 place, float part) {
-  return textureLod(map, (place + vec3(0.5, 0.5, 0.5 + part * nodes.z)) / vec3(nodes.xy, nodes.z * parts), 0.0);
-}
+  return textureLod(map, (place + vec3(0.5, 0.5, 0.5 + part * nodes.z)) / vec3(nodes.xy, nodes.z * parts), 0.0); }
 vec3 bpLattice(highp sampler3D map, float parts, vec3 nodes, vec3 low, vec3 perUnit, vec3 p, vec3 facing, vec3 n) {
   vec3 place = clamp((p - low) * perUnit, vec3(0.0), nodes - 1.0), first = min(floor(place), nodes - 2.0), seen = place;
   for (int axis = 0; axis < 3 && parts > 7.0; axis++) {
@@ -177,12 +179,10 @@ vec3 bpLattice(highp sampler3D map, float parts, vec3 nodes, vec3 low, vec3 perU
     if (way.x > 1e-3) seen[axis] = first[axis] + mix(t, clamp((t + 0.06 * facing[axis] - 0.5 * (way.y + way.z) / way.x) / width + 0.5, 0.0, 1.0), min(way.x, 1.0));
   }
   vec4 t[7]; for (int i = 0; i < 7; i++) t[i] = bpNode(map, parts, nodes, seen, float(i));
-  return bpIrradiance(n, t[0].xyz, vec3(t[0].w, t[1].xy), vec3(t[1].zw, t[2].x), t[2].yzw, t[3].xyz, vec3(t[3].w, t[4].xy), vec3(t[4].zw, t[5].x), t[5].yzw, t[6].xyz);
-}
+  return bpIrradiance(n, t[0].xyz, vec3(t[0].w, t[1].xy), vec3(t[1].zw, t[2].x), t[2].yzw, t[3].xyz, vec3(t[3].w, t[4].xy), vec3(t[4].zw, t[5].x), t[5].yzw, t[6].xyz); }
 float bpEdge(vec3 a, vec3 b, vec3 n) {
   vec3 u = normalize(a), v = normalize(b), c = cross(u, v);
-  return acos(clamp(dot(u, v), -1.0, 1.0)) * dot(c, n) / max(length(c), 1e-9) / 6.2831853;
-}
+  return acos(clamp(dot(u, v), -1.0, 1.0)) * dot(c, n) / max(length(c), 1e-9) / 6.2831853; }
 float bpLampDiffuse(vec3 corner[8], int count, bool bothSides, vec3 p, vec3 n) {
   float height = dot(cross(corner[1] - corner[0], corner[2] - corner[0]), p - corner[0]), sum = 0.0;
   if (height <= 0.0 && !bothSides) return 0.0;

@@ -235,6 +235,82 @@ TEST(Export, WatchingFollowsTheSceneFile) {
   EXPECT_THAT(folder.names(), ElementsAre("live.glb", "live.glb.revision", "room.boxprobe.json", "sky.exr"));
 }
 
+/// A carton of 40 x 90 x 70 cm, open at one side and with a slanting top.
+std::string carton(const TemporaryFolder& folder, const std::string& name, const std::string& color) {
+  folder.write(name + ".mtl", "newmtl paint\nKd " + color + "\nPr 0.6\nKs 0.2 0.2 0.2\n");
+  return folder.write(name + ".obj", "mtllib " + name + ".mtl\no " + name + R"(
+usemtl paint
+v 0 0 0
+v 40 0 0
+v 40 0 70
+v 0 0 70
+v 0 90 0
+v 40 90 0
+v 40 80 70
+v 0 90 60
+f 1 2 3 4
+f 8 7 6 5
+f 1 5 6 2
+f 2 6 7 3
+f 3 7 8 4
+)");
+}
+
+TEST(Export, SeveralModelsAreOneFileThatDrawsTheSame) {
+  const TemporaryFolder folder;
+  const std::string path = glbRoom(folder), glb = folder.path("out.glb");
+  Json scene = Json::parse(readFile(path));
+  scene["models"] = Json::array(
+      {{{"file", scene["model"]}},
+       {{"file", carton(folder, "tall", "0.7 0.3 0.1")}, {"unit", "cm"}, {"translation", {0.4, 0.01, -0.3}}},
+       {{"file", carton(folder, "wide", "0.1 0.3 0.6")},
+        {"unit", "cm"},
+        {"upAxis", "z"},
+        {"rotationDegrees", {0, 20, 0}}}});
+  scene.erase("model");
+  folder.write("room.boxprobe.json", scene.dump());
+  const char* home = std::getenv("HOME");
+  const char* mesa = std::getenv("MESA_SHADER_CACHE_DIR");
+  const Variable shaders("MESA_SHADER_CACHE_DIR",
+                         mesa != nullptr ? mesa : std::string(home ? home : "/tmp") + "/.cache");
+  const Variable cache("XDG_CACHE_HOME", folder.path("cache"));
+  const Outcome exported = runProgram({"export", path, "-o", glb, "--format", "glb", "--quiet"});
+  ASSERT_EQ(exported.exitStatus, 0) << exported.err;
+  const auto drawn = [&](const std::string& what, const std::string& picture) {
+    const Outcome outcome = runProgram({"render", what, "-o", folder.path(picture), "--size", "64x40", "--camera", "A",
+                                        "--stats", folder.path("s.json"), "--quiet"});
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+    return loadHdrImage(folder.path(picture)).pixels;
+  };
+  const std::vector<float> before = drawn(path, "before.exr");
+  for (const char* name : {"tall.obj", "tall.mtl", "wide.obj"}) std::filesystem::remove(folder.path(name));
+  EXPECT_EQ(drawn(glb, "after.exr"), before);
+  EXPECT_EQ(Json::parse(readFile(folder.path("s.json")))["counters"]["facesCaptured"], 0) << "maps as they were baked";
+}
+
+TEST(Export, WatchingFollowsWhatAModelNames) {
+  const TemporaryFolder folder;
+  const std::string model = carton(folder, "tall", "0.75 0.25 0.5"), glb = folder.path("live.glb");
+  Json scene = Json::parse(readFile(demoScene("room")));
+  scene["model"] = model;
+  scene["probes"][0].update({{"faceSize", 16}, {"bounces", 1}});
+  const std::string path = folder.write("live.boxprobe.json", scene.dump());
+  RunningProgram program({"export", path, "-o", glb, "--format", "glb", "--watch", "--quiet"});
+  const auto waitFor = [&](double red) {
+    for (int i = 0; i < 1200 && !program.ended(); ++i) {
+      const Json root = glbJson(glb);
+      if (!root.is_null() && root["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][0] == red) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+  };
+  ASSERT_TRUE(waitFor(0.75));
+  folder.write("tall.mtl", "newmtl paint\nKd 0.5 0.25 0.25\n");
+  EXPECT_TRUE(waitFor(0.5)) << "its MTL file alone was saved";
+  program.sendAtWork(SIGINT);
+  program.finish();
+}
+
 TEST(Export, BadUsageIsOneLineAndWritesNothing) {
   const TemporaryFolder folder;
   folder.write("file", "");

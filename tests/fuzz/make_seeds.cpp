@@ -176,7 +176,8 @@ void makeProbes(const std::string& triangle) {
   lamp.corners = {{0, 1, 0}, {1, 1, 0}, {0, 1, 1}};
   diffuse.lamps = {lamp};
   content.diffuse.probes = {diffuse};
-  write("model/probes", glbWithProbes(content, loadModelFile((folder / "triangle.glb").string()), "probes.glb"));
+  const auto model = std::make_shared<const Model>(loadModelFile((folder / "triangle.glb").string()));
+  write("model/probes", glbWithProbes(content, {model}, "probes.glb"));
   for (const char* name : {"triangle.glb", "sky.hdr"}) fs::remove(folder / name);
 }
 

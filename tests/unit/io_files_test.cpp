@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -17,6 +18,7 @@
 #include "filters/io/gltf/model_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/json/json_text.h"
+#include "filters/io/obj/obj_file.h"
 #include "filters/io/scene/pareto_front_file.h"
 #include "filters/io/scene/scene_file.h"
 #include "tests/unit/error_text.h"
@@ -26,6 +28,27 @@ namespace boxprobe {
 namespace {
 
 class Files : public TemporaryFolder {};
+
+// Whoever follows a model has to look at all of these.
+TEST_F(Files, WhatAModelAsksForIsCollected) {
+  write("a.mtl", "newmtl p\nmap_Kd here.png\nmap_Pr gone.png\n");
+  write("here.png", "no picture");
+  const std::string obj = write("a.obj", "mtllib a.mtl other.mtl\nusemtl p\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string gltf =
+      write("b.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "b.bin", "byteLength": 4}]})");
+  write("b.bin", "1234");
+  std::vector<std::string> names;
+  {
+    const FilesAsked asked;
+    readObj(obj);
+    loadModelFile(gltf);
+    names = asked.names();
+  }
+  for (const char* name : {"a.obj", "a.mtl", "other.mtl", "here.png", "gone.png", "b.gltf", "b.bin"}) {
+    EXPECT_EQ(std::count(names.begin(), names.end(), file(name)), 1) << name;
+  }
+  loadModelFile(gltf);  // nobody collects any more
+}
 
 // A pipe without a writer would hold its reader for ever.
 TEST_F(Files, PipesAndDevicesAreNotOpened) {

@@ -95,7 +95,7 @@ class Things : public SightLines {
 };
 
 /// Share of an even sky's light: strata over the hemisphere, weighted by the cosine.
-double quadrature(const Things& things, const glm::dvec3& place, const glm::dvec3& normal) {
+double quadrature(const SightLines& things, const glm::dvec3& place, const glm::dvec3& normal) {
   const glm::dvec3 any = std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 across = glm::normalize(glm::cross(any, normal)), along = glm::cross(normal, across);
   constexpr int kRings = 24, kSectors = 48;
@@ -109,6 +109,48 @@ double quadrature(const Things& things, const glm::dvec3& place, const glm::dvec
     }
   }
   return static_cast<double>(open) / (kRings * kSectors);
+}
+
+/// Three sides of a cube from 0 to 2, z = 2, y = 0 and z = 0, as sheets whose backs look inwards. A ray that starts in
+/// one meets it, as among triangles.
+class Sheets : public SightLines {
+ public:
+  bool empty() const override { return false; }
+  bool blocked(const glm::dvec3& from, const glm::dvec3& to, bool) const override {
+    const double length = glm::length(to - from);
+    const auto met = first(from, (to - from) / length);
+    return met && met->distance < length;
+  }
+  std::optional<Met> first(const glm::dvec3& from, const glm::dvec3& direction) const override {
+    Met nearest;
+    nearest.distance = 1e300;
+    for (const auto& [axis, at] : {std::pair{2, 2.0}, {1, 0.0}, {2, 0.0}}) {
+      const double distance = (at - from[axis]) / direction[axis];
+      if (!(distance >= 0.0) || distance >= nearest.distance) continue;
+      const glm::dvec3 place = from + distance * direction;
+      bool inside = true;
+      for (int other = 0; other < 3; ++other) inside &= other == axis || (place[other] >= 0.0 && place[other] <= 2.0);
+      if (!inside) continue;
+      nearest.distance = distance;
+      nearest.back = (direction[axis] > 0.0) == (at == 2.0);
+    }
+    return nearest.distance < 1e300 ? std::optional(nearest) : std::nullopt;
+  }
+};
+
+TEST(SkyOpenness, InnerSidesOfOpenSheetsSeeTheSkyThatTheySee) {
+  const Sheets sheets;
+  const SkyOpenness open = tracedSkyOpenness(sheets, {glm::dvec3(0.0), glm::dvec3(2.0)});
+  for (const auto& [place, normal] : {std::pair<glm::dvec3, glm::dvec3>{{1.5, 0.7, 0.0}, {0, 0, 1}},
+                                      {{0.4, 1.3, 0.0}, {0, 0, 1}},
+                                      {{1.2, 0.0, 0.6}, {0, 1, 0}},
+                                      {{0.7, 0.0, 1.5}, {0, 1, 0}},
+                                      {{1.1, 0.8, 2.0}, {0, 0, -1}},
+                                      {{1.1, 0.8, 2.0}, {0, 0, 1}},
+                                      {{0.6, 0.0, 1.1}, {0, -1, 0}}}) {
+    EXPECT_NEAR(open.at(place, normal), quadrature(sheets, place, normal), 0.15)
+        << place.x << " " << place.y << " " << place.z << ", facing " << normal.y << " " << normal.z;
+  }
 }
 
 TEST(SkyOpenness, IsTheQuadraturesAtSurfaces) {

@@ -18,6 +18,7 @@
 #include "app/session/messages.h"
 #include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
+#include "app/session/program_name.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
 #include "app/session/stats_json.h"
@@ -33,8 +34,6 @@
 namespace boxprobe {
 
 namespace {
-
-const char* const kProgram = "Boxprobe " BOXPROBE_VERSION;
 
 struct BakeOptions {
   std::string scenePath;
@@ -102,7 +101,8 @@ std::vector<std::string> bakeProbes(OffscreenScene& shown, const std::vector<std
     const auto save = [&](const std::string& name) {
       shown.requireHealthy();
       const auto bounce = earlier.find(name);
-      const std::string path = renderer.saveBaked(name, folder, kProgram, bounce == earlier.end() ? 0 : bounce->second);
+      const std::string path =
+          renderer.saveBaked(name, folder, kProgramName, bounce == earlier.end() ? 0 : bounce->second);
       if (!path.empty()) files.push_back(path);
       return !path.empty();
     };
@@ -215,7 +215,7 @@ void runBake(const BakeOptions& options) {
   const std::vector<std::string> probes = share ? probesOfShare(chosen, *share) : namesOf(chosen);
   if (share && !options.mixed) {
     const BakeFolder there(folder);  // looked at once: others write into it
-    requireMaker(bakeRows(shown, chosen, there), there, {kProgram, shown.renderer().rendererName()});
+    requireMaker(bakeRows(shown, chosen, there), there, {kProgramName, shown.renderer().rendererName()});
   }
   std::map<std::string, int> earlier;
   if (options.bounce > 0) earlier = limitBounces(loaded.scene, chosen, options.bounce, shown);

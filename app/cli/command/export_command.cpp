@@ -15,6 +15,7 @@
 #include "app/session/opened_glb.h"
 #include "app/session/output_check.h"
 #include "app/session/probe_captures.h"
+#include "app/session/program_name.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
 #include "app/web/web_folder.h"
@@ -25,6 +26,7 @@
 #include "filters/io/engines/ladder.h"
 #include "filters/io/engines/technique_text.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/io/files/read_file.h"
 
 namespace boxprobe {
 
@@ -73,8 +75,8 @@ void runShader(const ExportOptions& options, const Scene& scene, const std::vect
   std::vector<Probe> probes;
   for (const std::string& name : names) probes.push_back(scene.probes[*findProbe(scene, name)]);
   const std::string technique = options.technique.empty() ? probes.front().technique : options.technique;
-  writeTextAtomically(options.output, techniqueText(probes, technique, shaderLanguages().at(options.shader),
-                                                    "Boxprobe " BOXPROBE_VERSION));
+  writeTextAtomically(options.output,
+                      techniqueText(probes, technique, shaderLanguages().at(options.shader), kProgramName));
   finish(options, {options.output}, {});
 }
 
@@ -124,8 +126,7 @@ std::vector<std::string> exportWeb(const ExportOptions& options, const LoadedSce
                                    const CapturedProbes& captured) {
   Scene shown = loaded.scene;
   if (shown.cameras.empty()) shown.cameras.emplace_back();  // as `render` looks at it
-  const WebScene scene =
-      webScene(shown, loaded.models, captured.captures, options.settings.faceSize, "Boxprobe " BOXPROBE_VERSION);
+  const WebScene scene = webScene(shown, loaded.models, captured.captures, options.settings.faceSize, kProgramName);
   if (!options.report.quiet) printWarnings(scene.remarks);
   return writeWebFolder(scene, sceneName(options.scenePath), options.output);
 }
@@ -136,9 +137,10 @@ std::string glbPath(const ExportOptions& options) {
   return (std::filesystem::path(options.output) / (sceneName(options.scenePath) + ".glb")).string();
 }
 
-/// What the export of a scene depends on.
-std::vector<std::string> filesOf(const std::string& scenePath, const Scene& scene) {
-  std::vector<std::string> files = {scenePath};
+/// What the export of a scene depends on: `asked` for its models, and what is read when it is drawn.
+std::vector<std::string> filesOf(const std::string& scenePath, const Scene& scene, std::vector<std::string> asked) {
+  std::vector<std::string> files = std::move(asked);
+  files.push_back(scenePath);
   for (const ModelFile& model : scene.models) files.push_back(model.file);
   if (const auto* image = std::get_if<SkyImage>(&scene.sky)) files.push_back(image->file);
   for (const Probe& probe : scene.probes) {
@@ -197,8 +199,9 @@ void exportOnce(ExportRun& run) {
   ExportOptions options = run.options;
   const bool shader = !options.shader.empty(), web = !shader && options.settings.format == kWebFormat;
   const bool glb = !shader && options.settings.format == kGlbFormat;
+  const FilesAsked asked;
   LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, run.interrupt, options.report.quiet);
-  run.read = filesOf(options.scenePath, loaded.scene);
+  run.read = filesOf(options.scenePath, loaded.scene, asked.names());
   const std::vector<std::string> names = probesToExport(loaded.scene, options.probes);
   // A size above the capture's is captured; one below is averaged from it, and a baked file serves.
   for (const std::string& name : names) {
@@ -218,7 +221,7 @@ void exportOnce(ExportRun& run) {
   const CapturedProbes captured = captureProbes(loaded, wishes, run.interrupt);
   if (web) return finish(options, exportWeb(options, loaded, captured), captured.stats);
   ProgressLine line("filtering", !options.report.quiet);
-  options.settings.writer = "Boxprobe " BOXPROBE_VERSION;
+  options.settings.writer = kProgramName;
   const std::vector<std::string> files =
       exportProbes(captured.captures, options.settings, options.output, [&](double fraction) {
         line.show(fraction);
@@ -320,10 +323,10 @@ Subcommand addExportCommand(CLI::App& program) {
       ->type_name("LANGUAGE");
   command->add_option("--technique", options->technique, "Technique of --shader (default: the first probe's)")
       ->type_name("ID");
-  command->add_flag(
-      "--watch", options->watch,
-      "Export again whenever the scene or its model is saved, until Ctrl-C. Each export increments the number in "
-      "FILE.revision or DIR/revision.");
+  command->add_flag("--watch", options->watch,
+                    "Export again whenever the scene, its models or what these name is saved, until Ctrl-C. Each "
+                    "export increments the number in "
+                    "FILE.revision or DIR/revision.");
   command->add_option("--probe", options->probes, "Export only this probe (repeatable; default: all)")
       ->type_name("NAME")
       ->allow_extra_args(false);

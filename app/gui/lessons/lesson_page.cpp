@@ -12,6 +12,7 @@
 #include "app/gui/lessons/curve_picture.h"
 #include "app/lessons/formula_mathml.h"
 #include "app/lessons/plan_figure.h"
+#include "app/session/program_name.h"
 #include "app/web/web_source.h"
 
 namespace boxprobe {
@@ -426,8 +427,7 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
       notationHtml(notation);
   if (!answers_.empty()) text += "<section class=\"answers\"><h2>Answers</h2>\n" + answers_ + "</section>\n";
   if (!solutions_.empty()) text += "<section class=\"answers\"><h2>Solutions</h2>\n" + solutions_ + "</section>\n";
-  text += sourcesHtml(sources) +
-          "</main>\n<footer><p>Lessons, pictures and scripts of this page: Boxprobe " BOXPROBE_VERSION
+  text += sourcesHtml(sources) + "</main>\n<footer><p>Lessons, pictures and scripts of this page: " + kProgramName +
           ", BSD 3-Clause License, copyright 2026 Boxprobe contributors.</p></footer>\n";
   text += script("drawing.js");
   if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js") + script("code.js");

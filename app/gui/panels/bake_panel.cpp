@@ -17,6 +17,7 @@
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/session/opened_glb.h"
+#include "app/session/program_name.h"
 #include "filters/io/cube/bake_folder.h"
 
 namespace boxprobe {
@@ -197,7 +198,7 @@ void BakePanel::saveNext() {
       return;
     }
     toSave_.pop_back();
-    const std::string path = renderer_.saveBaked(name, folder_.toStdString(), "Boxprobe " BOXPROBE_VERSION);
+    const std::string path = renderer_.saveBaked(name, folder_.toStdString(), kProgramName);
     if (!path.empty()) ++saved_;
     if (path.empty() && !name.empty()) notFinished_.push_back(QString::fromStdString(name));
     if (!toSave_.empty()) {

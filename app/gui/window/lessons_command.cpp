@@ -26,6 +26,7 @@
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
 #include "app/session/probe_captures.h"
+#include "app/session/program_name.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
@@ -176,7 +177,7 @@ void addScenes(LessonPage& page, const std::vector<const Lesson*>& lessons, cons
     for (const Probe& probe : loaded.scene.probes) wishes.probes.push_back(probe.name);
     const CapturedProbes captured = captureProbes(loaded, wishes, interrupt);
     page.addScene(lesson->scene, withinOneText(webScene(loaded.scene, loaded.models, captured.captures, kRoomFaceSize,
-                                                        "Boxprobe " BOXPROBE_VERSION)));
+                                                        kProgramName)));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/gui/widgets/message_box.h"
 #include "app/session/glb_export.h"
+#include "app/session/program_name.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/engines/glb_probes.h"
 #include "filters/io/files/atomic_file.h"
@@ -83,10 +84,10 @@ void LiveLink::write() {
   again_ = mapsNew_ = false;
   auto content = std::make_shared<GlbScene>();
   content->scene = document_.scene();
-  content->writer = "Boxprobe " BOXPROBE_VERSION;
+  content->writer = kProgramName;
   content->diffuse = renderer_.probesDiffuse();
   writing_ = path_;
-  work_.start([content, maps = maps_, model = models.front(), path = path_.toStdString(),
+  work_.start([content, maps = maps_, models, path = path_.toStdString(),
                revision = revision_ + 1](const BackgroundWork::Progress&) -> BackgroundWork::Finish {
     for (const Probe& probe : content->scene.probes) {
       const auto found = maps.find(probe.name);
@@ -95,7 +96,7 @@ void LiveLink::write() {
       content->maps.back().emplace();
       content->maps.back()->maps = *found->second;
     }
-    writeTextAtomically(path, glbWithProbes(*content, *model, path));
+    writeTextAtomically(path, glbWithProbes(*content, models, path));
     writeRevision(path, revision);
     return [] {};
   });

@@ -1,4 +1,5 @@
 #include "app/gui/window/probe_exporter.h"
+#include "app/session/program_name.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -33,7 +34,7 @@ std::vector<std::pair<QString, ExportSettings>> engineChoices() {
     settings.format = firstWord(row.formats);
     settings.ladder = firstWord(row.ladders);
     settings.center = row.centered;
-    settings.writer = "Boxprobe " BOXPROBE_VERSION;
+    settings.writer = kProgramName;
     choices.emplace_back(name, settings);
   }
   return choices;

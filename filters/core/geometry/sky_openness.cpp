@@ -22,6 +22,7 @@ constexpr int kMargin = 3;        // nodes beyond it
 constexpr int kOpenRays = 64;     // from a node
 constexpr double kNear = 3.2;     // spacings: no surface looks up a node that has none so near
 constexpr double kWithin = 0.6;   // of the rays: so many backs are seen from within a thing only
+constexpr double kCracks = 0.1;   // of the rays: more reach the sky among open sheets alone, whose inner sides are seen
 constexpr double kMoment = 0.75;  // largest along an axis
 
 struct Node {
@@ -107,14 +108,16 @@ class Lattice {
   /// Returns how many rays it took.
   std::size_t traceNode(const glm::ivec3& at) {
     const glm::dvec3 place = result_.low + result_.spacing * glm::dvec3(at);
-    if (!nearAnything(place)) return 0;
+    // Nodes lie in the sides of `bounds`, where things end: what starts in a surface meets it at once, all around.
+    const glm::dvec3 from = place + result_.spacing * glm::dvec3(0.0131, 0.0173, 0.0111);
+    if (!nearAnything(from)) return 0;
     Node& node = nodes_[index(at)];
     const double turn =
         2.0 * kPi * std::fmod(0.7548776662466927 * at.x + 0.5698402909980532 * at.y + 0.8191725133961645 * at.z, 1.0);
     int open = 0, backs = 0;
     for (int ray = 0; ray < kOpenRays; ++ray) {
       const glm::dvec3 direction = evenly(ray, kOpenRays, turn);
-      const auto met = lines_.first(place, direction);
+      const auto met = lines_.first(from, direction);
       if (!met) {
         ++open;
         node.moment += direction;
@@ -122,7 +125,7 @@ class Lattice {
         ++backs;
       }
     }
-    node.state = backs > kWithin * kOpenRays ? Node::Within : Node::Seen;
+    node.state = backs > kWithin * kOpenRays && open < kCracks * kOpenRays ? Node::Within : Node::Seen;
     node.open = static_cast<double>(open) / kOpenRays;
     node.moment *= 3.0 / kOpenRays;
     return kOpenRays;

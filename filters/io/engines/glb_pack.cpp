@@ -10,9 +10,9 @@
 #include <variant>
 
 #include "filters/core/base/errors.h"
-#include "filters/core/base/file_extension.h"
 #include "filters/core/base/one_line.h"
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/engines/glb_models.h"
 #include "filters/io/engines/glb_probes.h"
 #include "filters/io/engines/glb_scene.h"
 #include "filters/io/files/read_file.h"
@@ -71,13 +71,22 @@ class Packer {
  public:
   Packer(const GlbScene& content, const std::string& path) : content_(content), path_(path) {}
 
-  std::string pack(const Model& model) {
-    document_ = readGlbDocument(content_.scene.models.front().file);
-    forgetBefore();
+  std::string pack(const SceneModels& models) {
+    const bool joined = needsJoining(content_.scene);
+    if (joined) {
+      document_ = documentOfModels(content_.scene, models);
+    } else {
+      document_ = readGlbDocument(content_.scene.models.front().file);
+      forgetBefore();
+    }
     std::uint64_t bytes = content_.sky ? mapBytes(content_.sky->maps) : 0;
     for (const auto& maps : content_.maps) bytes += maps ? mapBytes(maps->maps) : 0;
     requireGlbSize(document_, bytes, path_);
-    Json materials = writeSceneInto(document_, content_.scene, model, content_.diffuse.countedLights);
+    Scene placed = content_.scene;
+    if (joined) placed.models = {ModelFile{}};  // they stand where they belong, without lights and cameras
+    const Model noneOfItsOwn;
+    Json materials =
+        writeSceneInto(document_, placed, joined ? noneOfItsOwn : *models.front(), content_.diffuse.countedLights);
     Json extension = {{"version", 1}, {"writer", content_.writer}};
     const Json& views = document_.json["bufferViews"];
     extension["model"] = {{"bytes", document_.binary.size()}, {"bufferViews", views.is_array() ? views.size() : 0}};
@@ -88,7 +97,7 @@ class Packer {
     if (!lamps_.empty()) extension["lamps"] = std::move(lamps_);
     extension["scene"] = sceneJson();
     if (!materials.empty()) extension["materials"] = std::move(materials);
-    const ModelFile& file = content_.scene.models.front();
+    const ModelFile& file = placed.models.front();
     if (!file.variant.empty()) extension["variant"] = file.variant;
     if (file.time) extension["time"] = *file.time;
     if (!files_.empty()) extension["files"] = std::move(files_);
@@ -270,16 +279,9 @@ class Packer {
 }  // namespace
 
 void requireGlbScene(const Scene& scene, const std::string& path) {
-  if (scene.models.size() != 1) {
-    throw InputError("models: --format glb takes a scene of one model, and this one has " +
-                     std::to_string(scene.models.size()) + "; join them in one .glb first");
-  }
-  const std::string& file = scene.models.front().file;
-  const std::string extension = lowerExtension(file);
-  if (extension != ".glb" && extension != ".gltf") {
-    throw InputError("models.0: " + file + ": --format glb takes a .glb or .gltf model; convert it first");
-  }
-  std::uint64_t bytes = requireInputFile(file);
+  if (scene.models.empty()) throw InputError("models: the scene has none, which --format glb needs; add one");
+  std::uint64_t bytes = 0;
+  for (const ModelFile& model : scene.models) bytes += requireInputFile(model.file);
   for (const Probe& probe : scene.probes) {
     const auto size = static_cast<std::uint64_t>(probe.faceSize);
     bytes += 6 * size * size * (8 * 4 / 3 + 4);
@@ -287,10 +289,10 @@ void requireGlbScene(const Scene& scene, const std::string& path) {
   requireGlbSize({}, bytes, path);
 }
 
-std::string glbWithProbes(const GlbScene& content, const Model& model, const std::string& path) {
+std::string glbWithProbes(const GlbScene& content, const SceneModels& models, const std::string& path) {
   requireGlbScene(content.scene, path);
   try {
-    return Packer(content, path).pack(model);
+    return Packer(content, path).pack(models);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& problem) {

@@ -3,6 +3,7 @@
 // baked. Knows neither captures nor windows.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,11 +28,13 @@ struct GlbScene {
   std::string writer;                 ///< "Boxprobe 0.1.0"
 };
 
-/// The bytes of the file. `model`: the scene's first, as it was read. `path` is for messages. Throws InputError for a
-/// scene of several models or of one that is no glTF, for pictures of several files, and for more than a .glb holds.
-std::string glbWithProbes(const GlbScene& content, const Model& model, const std::string& path);
+/// The bytes of the file. `models`: the scene's, as they were read. A single .glb or .gltf is taken in as it is, others
+/// as documentOfModels() has them (glb_models.h). `path` is for messages. Throws InputError for a scene without models,
+/// for pictures of several files, and for more than a .glb holds.
+std::string glbWithProbes(const GlbScene& content, const std::vector<std::shared_ptr<const Model>>& models,
+                          const std::string& path);
 
-/// Throws InputError if the scene's maps, of the sizes its probes ask for, cannot fit into a .glb, or if its model
+/// Throws InputError if the scene's maps, of the sizes its probes ask for, cannot fit into a .glb, or if its models
 /// cannot: to be called before anything is captured.
 void requireGlbScene(const Scene& scene, const std::string& path);
 

@@ -63,6 +63,9 @@ Json writeMaterials(Json& root, const Scene& scene) {
       pbr["baseColorFactor"] = glbNumbers(*change.baseColor);
       pbr["baseColorFactor"].push_back(alpha);
     }
+    if (change.metallic) pbr["metallicFactor"] = *change.metallic;
+    if (change.roughness) pbr["roughnessFactor"] = *change.roughness;
+    if (pbr.is_null()) material.erase("pbrMetallicRoughness");  // and no more of it: a member more moves the others
     const auto put = [&](const char* extension, const char* field, const auto& value) {
       if (!value) return;
       material["extensions"][extension][field] = *value;
@@ -76,11 +79,8 @@ Json writeMaterials(Json& root, const Scene& scene) {
     if (change.attenuationColor) {
       put("KHR_materials_volume", "attenuationColor", std::optional<Json>(glbNumbers(*change.attenuationColor)));
     }
-    if (change.metallic) pbr["metallicFactor"] = *change.metallic;
-    if (change.roughness) pbr["roughnessFactor"] = *change.roughness;
     if (change.normalScale && material.contains("normalTexture"))
       material["normalTexture"]["scale"] = *change.normalScale;
-    if (pbr.is_null()) material.erase("pbrMetallicRoughness");
     if (!change.emissive) continue;
     const glm::vec3 light = *change.emissive;
     const float strength = std::max({light.x, light.y, light.z, 1.0f});

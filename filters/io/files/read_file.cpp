@@ -3,6 +3,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <vector>
 
 #include "filters/core/base/errors.h"
@@ -21,6 +23,9 @@ std::vector<DeclaredOutput>& declaredOutputs() {
   static std::vector<DeclaredOutput> outputs;
   return outputs;
 }
+
+std::mutex askedMutex;
+std::set<std::string>* asked = nullptr;  // while somebody collects
 
 void requireInput(const std::string& path, const FileStatus& status) {
   if (status.kind == FileStatus::Kind::Folder) throw InputError(path + ": is a folder; name a file");
@@ -60,7 +65,29 @@ std::string readWholeFile(const std::string& path, std::uintmax_t limit) {
   return bytes;
 }
 
+FilesAsked::FilesAsked() {
+  const std::lock_guard lock(askedMutex);
+  asked = new std::set<std::string>;
+}
+
+FilesAsked::~FilesAsked() {
+  const std::lock_guard lock(askedMutex);
+  delete asked;
+  asked = nullptr;
+}
+
+std::vector<std::string> FilesAsked::names() const {
+  const std::lock_guard lock(askedMutex);
+  return {asked->begin(), asked->end()};
+}
+
+void noteAsked(const std::string& path) {
+  const std::lock_guard lock(askedMutex);
+  if (asked != nullptr) asked->insert(path);
+}
+
 std::uintmax_t requireInputFile(const std::string& path) {
+  noteAsked(path);
   const auto status = fileStatus(path);
   if (!status) cannotOpen(path, errno);
   requireInput(path, *status);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace boxprobe {
 
@@ -13,6 +14,19 @@ std::string readWholeFile(const std::string& path, std::uintmax_t limit = std::u
 /// The same checks without the limit, for libraries that open files themselves: a pipe would block them forever.
 /// Returns the size in bytes.
 std::uintmax_t requireInputFile(const std::string& path);
+
+/// Collects, while it lives, which files are asked for in any thread by the functions above or by noteAsked(): those
+/// that are not there as well, since they may come. One at a time.
+class FilesAsked {
+ public:
+  FilesAsked();
+  ~FilesAsked();
+  FilesAsked(const FilesAsked&) = delete;
+  FilesAsked& operator=(const FilesAsked&) = delete;
+  std::vector<std::string> names() const;  ///< sorted, each once
+};
+/// For files that are looked for before they are read.
+void noteAsked(const std::string& path);
 
 /// From now on reading the file that `path` leads to, by device and inode, is an error: `option` ("-o") would overwrite
 /// an input. Call it before anything is read. Files that do not exist yet cannot be inputs.

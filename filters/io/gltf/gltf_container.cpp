@@ -149,7 +149,10 @@ std::unique_ptr<std::string> readUri(const GltfFile& file, const std::string& ur
   if (!insideFolderOf(whole.string(), file.path)) {
     throw InputError(oneLine(file.path + ": " + whole.string() + ": lies outside the model's folder; put it inside"));
   }
-  if (!fs::exists(whole, ignored)) return nullptr;
+  if (!fs::exists(whole, ignored)) {
+    noteAsked(whole.string());
+    return nullptr;
+  }
   try {
     return std::make_unique<std::string>(readWholeFile(whole.string()));
   } catch (const InputError& error) {

@@ -1,5 +1,6 @@
 // Meshes of a glTF file: one Mesh per triangle primitive, for all modes and number formats.
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -79,9 +80,11 @@ void makeFlat(Mesh& mesh) {
 }
 
 /// Quantized normals are not exactly unit, and a zero normal would become NaN in every shader.
-void makeUnit(GltfFile& file, std::vector<glm::vec3>& normals) {
+/// Those that are said to be `unit` and are keep their last bit (glb_models.cpp).
+void makeUnit(GltfFile& file, std::vector<glm::vec3>& normals, bool unit) {
   for (glm::vec3& normal : normals) {
     const double length = glm::length(glm::dvec3(normal));
+    if (unit && std::abs(length - 1.0) < 1e-5) continue;
     if (length > 0.0) {
       normal = glm::vec3(glm::dvec3(normal) / length);
     } else {
@@ -170,7 +173,7 @@ Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& pr
   if (mesh.normals.empty()) {
     makeFlat(mesh);
   } else {
-    makeUnit(file, mesh.normals);
+    makeUnit(file, mesh.normals, primitive.extras.IsObject() && primitive.extras.Has("unitNormals"));
   }
   if (mesh.material >= 0 && mesh.tangents.empty()) {
     const Material& drawn = reading.materials[static_cast<std::size_t>(mesh.material)];

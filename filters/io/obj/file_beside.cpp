@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "filters/io/files/inside_folder.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/obj/obj_text.h"
 
 namespace boxprobe {
@@ -59,6 +60,7 @@ FileBeside fileBeside(const std::string& from, const std::string& name, const st
   if (fs::path(slashes).is_relative() && take(spelt(folder, slashes))) return result;
   if (!insideFolderOf((folder / slashes).string(), model)) result.outside = true;
   if (!last.empty() && (take(spelt(folder, last)) || take(spelt(modelFolder, last)))) return result;
+  if (!result.outside) noteAsked((folder / slashes).string());
   return result;
 }
 

@@ -9,6 +9,7 @@ const { loadBoxprobeGlb } = await import('/loader/boxprobe_glb_three.js');
 const renderer = new THREE.WebGLRenderer({ antialias: false });
 renderer.debug.onShaderError = (gl, program, vertex, fragment) => { throw new Error(gl.getProgramInfoLog(program) + gl.getShaderInfoLog(fragment)); };
 renderer.toneMapping = THREE.NoToneMapping;
+renderer.shadowMap.enabled = !config.grid;
 const scene = new THREE.Scene();
 const gltf = config.grid ? await new GLTFLoader().loadAsync('/scene/' + config.file) : await loadBoxprobeGlb('/scene/' + config.file);
 scene.add(gltf.scene);
