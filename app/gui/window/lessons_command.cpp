@@ -19,6 +19,7 @@
 #include "app/gui/lessons/lesson_sheet.h"
 #include "app/gui/window/window_app.h"
 #include "app/lessons/lesson_language.h"
+#include "app/lessons/page_texts.h"
 #include "app/lessons/page_widgets.h"
 #include "app/session/display_check.h"
 #include "app/session/interrupt.h"
@@ -151,6 +152,7 @@ struct Output {
   }
   std::string path;
   bool page, sheet;
+  std::string language = "en";              ///< of the page's own words
   std::vector<LessonSymbol> notation = {};  ///< for a page
 };
 
@@ -220,7 +222,7 @@ void addLoops(LessonPage& page, const Lesson& lesson, const PageWidgets& widgets
 void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& options, const Output& output,
              const PageWidgets& widgets) {
   const InterruptGuard interrupt;
-  LessonPage page;
+  LessonPage page(output.page ? PageTexts(options.folder, output.language) : PageTexts());
   if (output.page) addScenes(page, lessons, widgets, interrupt);
   LessonPhotographer photographer(
       kPictureWidth, kPictureHeight, [&] { return !interrupt.interrupted(); }, options.report.quiet);
@@ -324,6 +326,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
   }
   Output output(options);
   output.notation = list.notation;
+  output.language = list.language;
   const PageWidgets widgets = output.page ? loadPageWidgets(options.folder) : PageWidgets();
   if (!options.report.quiet) printWarnings(unmatchedWidgets(widgets, list.lessons));
   // Qt is here for its fonts: it needs no display, and what it remarks on its surroundings is not the user's business.
