@@ -1,4 +1,4 @@
-// The small figures of data/web/sketches.js: what stands above each in the page of lessons.
+// The small figures of the page of lessons, and what stands above each.
 #pragma once
 
 #include <string>
@@ -7,6 +7,8 @@
 namespace boxprobe {
 
 struct PageSketch {
+  enum Kind { Plan, Surface, Cone };  ///< of data/web/sketches.js and sketches_more.js, of surface.js, of cone.js
+  Kind kind;
   const char* name;
   const char* title;
   const char* say;

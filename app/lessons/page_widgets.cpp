@@ -19,7 +19,8 @@ constexpr const char* kForm =
     "; expected {\"format\": \"boxprobe-lesson-page\", \"version\": 1, \"plans\": {LESSON: [x, y]}, \"rooms\": "
     "[LESSON, ..], \"figures\": {\"infinity\" or \"stand\": LESSON of \"rooms\" or [LESSON, ..], \"cone\", "
     "\"fresnel\", "
-    "\"lobe\", \"glass\" or a sketch such as \"ball\": LESSON or [LESSON, ..]}, \"code\": {LESSON of \"rooms\": {\"say\": S, \"start\": [LINE, "
+    "\"lobe\", \"glass\" or a sketch such as \"ball\": LESSON or [LESSON, ..]}, \"code\": {LESSON of \"rooms\": "
+    "{\"say\": S, \"start\": [LINE, "
     "..], "
     "\"answer\": [LINE, ..]}}, \"sources\": [{\"title\": T, \"address\": \"https://..\"}, ..]}, x and y from 0 to 1";
 constexpr const char* kLoopForm =
@@ -82,8 +83,7 @@ bool needsRoom(const std::string& figure) {
 }
 
 bool isFigure(const std::string& name) {
-  return needsRoom(name) || name == "cone" || name == "fresnel" || name == "lobe" || name == "glass" ||
-         findPageSketch(name) != nullptr;
+  return needsRoom(name) || findPageSketch(name) != nullptr;
 }
 
 /// Nothing for what is neither a name nor names.

@@ -206,6 +206,13 @@
   forget.type = 'button';
   forget.hidden = true;
   score.after(forget);
+  // A teacher prints the page without its answers.
+  const paper = make('label', 'paper check', ''), withAnswers = document.createElement('input');
+  withAnswers.type = 'checkbox';
+  withAnswers.checked = true;
+  withAnswers.addEventListener('change', () => document.body.classList.toggle('no-answers', !withAnswers.checked));
+  paper.append(withAnswers, ` ${say('print answers and solutions at the end')}`);
+  forget.after(paper);
   function showScore() {
     const tried = questions.filter((q) => q.dataset.tried), right = tried.filter((q) => q.dataset.tried === 'right').length;
     const text = say('{0} of {1} right at the first try, {2} in all.', right, tried.length, questions.length);

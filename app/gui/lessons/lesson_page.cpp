@@ -125,7 +125,8 @@ std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictu
   text += formulaHtml(step.formula);
   // A page has neither panels nor handles.
   if (!step.mayMove.empty()) {
-    text += "<p class=\"try\"><b>" + html(say("Try it in the program's window.")) + "</b> " + html(step.mayMove) + "</p>";
+    text +=
+        "<p class=\"try\"><b>" + html(say("Try it in the program's window.")) + "</b> " + html(step.mayMove) + "</p>";
   }
   if (step.question) text += questionHtml(*step.question, stepId(lesson, number), say);
   if (step.task) {
@@ -142,11 +143,11 @@ std::string exercisesHtml(const Lesson& lesson, const LessonPictures& pictures, 
   for (std::size_t i = 0; i < lesson.exercises.size(); ++i) {
     const LessonExercise& exercise = lesson.exercises[i];
     text += "<li>" + html(exercise.ask) + "<details><summary>" + html(say("Solution")) + "</summary><p>" +
-            html(exercise.solution) + "</p>" +
-            formulaHtml(exercise.formula);
+            html(exercise.solution) + "</p>" + formulaHtml(exercise.formula);
     if (const auto& measured = pictures.exercises[i]) {
       text += "<p class=\"measured\">" + html(say("Measured:")) + " <b>" + html(measured->measured) + "</b>" +
-              (measured->holds ? std::string() : " <span class=\"failed\">" + html(say("does not hold")) + "</span>") + "</p>";
+              (measured->holds ? std::string() : " <span class=\"failed\">" + html(say("does not hold")) + "</span>") +
+              "</p>";
     }
     text += "</details></li>\n";
   }
@@ -158,8 +159,8 @@ std::string solutionsHtml(const Lesson& lesson, const PageTexts& say) {
   std::string text;
   for (std::size_t i = 0; i < lesson.exercises.size(); ++i) {
     const LessonExercise& exercise = lesson.exercises[i];
-    text += "<p><b>" + html(say("{0}, exercise {1}", {lesson.title, std::to_string(i + 1)})) + ":</b> " + html(exercise.solution) +
-            "</p>" + formulaHtml(exercise.formula) + "\n";
+    text += "<p><b>" + html(say("{0}, exercise {1}", {lesson.title, std::to_string(i + 1)})) + ":</b> " +
+            html(exercise.solution) + "</p>" + formulaHtml(exercise.formula) + "\n";
   }
   return text;
 }
@@ -178,11 +179,12 @@ std::string notationHtml(const std::vector<LessonSymbol>& notation, const PageTe
 /// Beside what it is done in: the plan or the room. Measured by data/web/task.js.
 std::string taskHtml(const Lesson& lesson, const LessonPictures& pictures, const PageTexts& say) {
   if (pictures.task.empty()) return {};
-  return "<div class=\"task\" data-task=\"" + html(pictures.task) + "\"><p class=\"try\"><b>" + html(say("Task.")) + "</b> " +
-         html(lesson.steps[pictures.taskStep].task->ask) + "</p></div>\n";
+  return "<div class=\"task\" data-task=\"" + html(pictures.task) + "\"><p class=\"try\"><b>" + html(say("Task.")) +
+         "</b> " + html(lesson.steps[pictures.taskStep].task->ask) + "</p></div>\n";
 }
 
-std::string widgetHtml(const std::string& title, const std::string& text, const std::string& inner, bool opens = false) {
+std::string widgetHtml(const std::string& title, const std::string& text, const std::string& inner,
+                       bool opens = false) {
   return std::string("<div class=\"widget") + (opens ? " opens" : "") + "\"><h4>" + html(title) + "</h4>\n<p>" +
          html(text) + "</p>\n" + inner + "</div>\n";
 }
@@ -220,8 +222,15 @@ std::string figureHtml(const std::string& figure, const std::string& attributes,
 /// What opens the page.
 std::string infinityHtml(const std::string& live, const PageTexts& say) {
   return "<section class=\"opening\"><h2 id=\"figure-infinity\">" + html(say("What the box does")) + "</h2>\n<p>" +
-         html(say("This floor is a perfect mirror. Each of its pixels samples one cubemap, captured at C. Shrink the "
-                  "probe's box from infinite to the room, and watch the floor.")) +
+         html(say("A game does not trace the rays of a mirror. It looks them up in pictures that were taken "
+                  "beforehand: six, "
+                  "one for each face of a cube, from one point C. The six are a cubemap, and what captures them is a "
+                  "probe.")) +
+         "</p>\n<p>" +
+         html(say("This floor is a perfect mirror. Each of its pixels looks up one direction in the cubemap. With R "
+                  "alone, the direction in which the ray leaves the floor, it shows what C would see there. A box, six "
+                  "planes in place of the walls, tells where the ray ends. Shrink it from infinite to the room, and "
+                  "watch the floor.")) +
          "</p>\n" + live + "<p>" +
          html(say("Point at the floor. The orange ray leaves that pixel and ends at what the mirror should show. The "
                   "pink arrow leaves C and ends at what it does show. The cubemap lies beside the room, unfolded: the "
@@ -238,38 +247,14 @@ std::string standHtml(const std::string& live, const PageTexts& say) {
       live);
 }
 
-std::string coneHtml(const PageTexts& say) {
-  return widgetHtml(
-      say("From cone to texels"),
-      say("The ray from P is reflected to the wall, and a rough floor spreads it into a cone. The cone meets a patch "
-          "of the wall (orange). C sees the patch under another angle (pink), and so another mip level is right. Which "
-          "one, when P is near the wall and when it is far? Draw it into the chart before you look."),
-      figureHtml("cone", "", say) + "<p>" +
-          html(say("The level is one part of the error. The other is the lobe's shape, long and narrow where the view "
-                   "is flat, which no level can give: see what was measured on the pictures.")) +
-          "</p>",
-      true);
-}
-
-std::string surfaceHtml(const std::string& kind, const PageTexts& say) {
-  const std::string title = kind == "fresnel" ? say("How much is reflected")
-                            : kind == "lobe"  ? say("Where a rough surface sends its light")
-                                              : say("Reflected and let in");
-  const std::string text =
-      kind == "fresnel"
-          ? say("Drag the eye down to the surface. The arrows are as long as the shares of light they carry: orange is "
-                "reflected, pink is let in. How far down must the eye be until half is reflected?")
-      : kind == "lobe"
-          ? say("Drag the eye and change the roughness. The lobe is GGX with Smith's term, in the plane of the eye. Is "
-                "it brightest in the mirrored direction?")
-          : say("Drag the eye, and change the index of refraction. From within the glass there is an angle beyond "
-                "which nothing gets out. Find it for n = 1.5.");
-  return widgetHtml(title, text, figureHtml(kind, "data-kind=\"" + kind + "\"", say));
-}
-
+/// The cone, light at a surface, or one of data/web/sketches.js.
 std::string sketchHtml(const PageSketch& sketch, const PageTexts& say) {
-  return widgetHtml(say(sketch.title), say(sketch.say),
-                    figureHtml("sketch", std::string("data-sketch=\"") + sketch.name + "\"", say), sketch.opens);
+  const std::string name = sketch.name;
+  const std::string live = sketch.kind == PageSketch::Cone ? figureHtml(name, "", say)
+                           : sketch.kind == PageSketch::Surface
+                               ? figureHtml(name, "data-kind=\"" + name + "\"", say)
+                               : figureHtml("sketch", "data-sketch=\"" + name + "\"", say);
+  return widgetHtml(say(sketch.title), say(sketch.say), live, sketch.opens);
 }
 
 std::string codeHtml(const LessonCode& code, std::size_t scene, const std::string& view, const PageTexts& say) {
@@ -277,14 +262,13 @@ std::string codeHtml(const LessonCode& code, std::size_t scene, const std::strin
   data["start"] = QString::fromStdString(code.start);
   data["answer"] = QString::fromStdString(code.answer);
   const std::string json = QJsonDocument(data).toJson(QJsonDocument::Compact).toStdString();
-  return widgetHtml(
-      say("Write it"),
-      say(code.say) + " " +
-          say("It is compiled as you type, and drawn in the mirror floor. A loop ends after 256 turns."),
-      figureHtml("code",
-                 "data-scene=\"scene-" + std::to_string(scene) + "\" data-view=\"" + html(view) + "\" data-code=\"" +
-                     html(json) + "\"",
-                 say));
+  return widgetHtml(say("Write it"),
+                    say(code.say) + " " +
+                        say("It is compiled as you type, and drawn in the mirror floor. A loop ends after 256 turns."),
+                    figureHtml("code",
+                               "data-scene=\"scene-" + std::to_string(scene) + "\" data-view=\"" + html(view) +
+                                   "\" data-code=\"" + html(json) + "\"",
+                               say));
 }
 
 std::string sourcesHtml(const std::vector<LessonSource>& sources, const PageTexts& say) {
@@ -342,14 +326,10 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
     if (std::find(of.begin(), of.end(), lesson.name) == of.end()) continue;
     if (const PageSketch* sketch = findPageSketch(figure)) {
       (sketch->opens ? text : after) += sketchHtml(*sketch, say_);
-    } else if (figure == "cone") {
-      text += coneHtml(say_);
-    } else if (figure == "fresnel" || figure == "lobe" || figure == "glass") {
-      after += surfaceHtml(figure, say_);
     } else if (hasRoom) {
       const std::string& view = figure == "infinity" ? pictures.firstView : pictures.view;
-      const std::string live =
-          figureHtml(figure, "data-scene=\"scene-" + std::to_string(place) + "\" data-view=\"" + html(view) + "\"", say_);
+      const std::string live = figureHtml(
+          figure, "data-scene=\"scene-" + std::to_string(place) + "\" data-view=\"" + html(view) + "\"", say_);
       if (figure == "infinity") opening_ = infinityHtml(live, say_);
       if (figure == "stand") after += standHtml(live, say_);  // it answers the steps' questions
     }
@@ -371,12 +351,13 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, const
   if (!pictures.claims.empty()) text += "<h4>" + html(say_("Measured")) + "</h4>";
   for (const LessonPictures::Claim& claim : pictures.claims) {
     text += "<p>" + html(claim.say) + " <b>" + html(claim.measured) + "</b>" +
-            (claim.holds ? std::string() : " <span class=\"failed\">" + html(say_("does not hold")) + "</span>") + "</p>";
+            (claim.holds ? std::string() : " <span class=\"failed\">" + html(say_("does not hold")) + "</span>") +
+            "</p>";
   }
   text += "</div>\n" + exercisesHtml(lesson, pictures, say_);
   // Another language than the page's head is said.
-  const std::string opened =
-      lesson.language != say_.language() ? "<section lang=\"" + html(lesson.language) + "\">\n" : std::string("<section>\n");
+  const std::string opened = lesson.language != say_.language() ? "<section lang=\"" + html(lesson.language) + "\">\n"
+                                                                : std::string("<section>\n");
   section.html = opened + "<h3 id=\"" + html(lesson.name) + "\">@NUMBER@" + html(lesson.title) + "</h3>" + text;
   solutions_ += solutionsHtml(lesson, say_);
   sections_.push_back(std::move(section));
@@ -406,7 +387,8 @@ std::string LessonPage::contents() const {
       int minutes = 0;
       for (const Section& other : sections_) minutes += other.chapter == chapter ? other.minutes : 0;
       text += (i > 0 ? "</ul></li>\n" : "") + std::string("<li><a href=\"#chapter-") + std::to_string(++chapters) +
-              "\">" + html(chapter) + "</a> <span class=\"minutes\">" + html(say_("{0} min", {std::to_string(minutes)})) + "</span><ul>\n";
+              "\">" + html(chapter) + "</a> <span class=\"minutes\">" +
+              html(say_("{0} min", {std::to_string(minutes)})) + "</span><ul>\n";
     }
     text +=
         "<li>" + numbered[i] + "&ensp;<a href=\"#" + html(section.name) + "\">" + html(section.title) + "</a></li>\n";
@@ -430,7 +412,8 @@ std::string LessonPage::body() const {
     const std::size_t at = whole.find(mark);
     whole.replace(at, mark.size(), before);
     const std::size_t end = whole.find("</h3>", at);
-    whole.insert(end, " <span class=\"minutes\">" + html(say_("about {0} min", {std::to_string(section.minutes)})) + "</span>");
+    whole.insert(
+        end, " <span class=\"minutes\">" + html(say_("about {0} min", {std::to_string(section.minutes)})) + "</span>");
     text += whole;
     const auto link = [](const Section& to, const char* left, const char* right) {
       return "<a href=\"#" + html(to.name) + "\">" + left + html(to.title) + right + "</a>";
@@ -477,7 +460,8 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
   if (!say_.all().empty()) text += textsScript(say_);
   text += script("drawing.js");
   if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js") + script("code.js");
-  for (const char* file : {"cone.js", "surface.js", "sketch.js", "sketches.js", "plan.js", "task.js", "page.js"}) {
+  for (const char* file : {"cone.js", "surface.js", "sketch.js", "plane.js", "sketches.js", "sketches_more.js",
+                           "plan.js", "task.js", "page.js"}) {
     text += script(file);
   }
   return text + "</body></html>\n";

@@ -124,7 +124,7 @@ const OTHERS = {
     off(s, n, oracle) {
       const box = [[-3, -2], [3, 2]], one = { position: s.place, normal: n.direction, eye: [s.place[0] + n.direction[0], s.place[1] + n.direction[1]], origin: [0, 0], box };
       const sharp = compiled(oracle, [one], 2)[0].distance, rounded = compiled(oracle, [one], 2, s.radius)[0].distance;
-      return { off: Math.max(Math.abs(sharp - n.sharp), Math.abs(rounded - n.rounded)), prints: [n.sharp.toFixed(3), n.rounded.toFixed(3), s.radius.toFixed(2)] };
+      return { off: Math.max(Math.abs(sharp - n.sharp), Math.abs(rounded - n.rounded)), prints: [n.sharp.toFixed(3), n.rounded.toFixed(3), s.radius.toFixed(2), (n.sharp - n.rounded).toFixed(3)] };
     },
   },
   corner: {
@@ -149,7 +149,7 @@ const OTHERS = {
 /** `web`: the folder of scripts. */
 export async function checkSketches(web, oracle, out) {
   const text = (name) => readFileSync(path.join(web, name), 'utf8'), file = path.resolve(out, 'sketches.html');
-  const scripts = ['drawing.js', 'sketch.js', 'sketches.js'].map((name) => `<script>${text(name)}</script>`).join('');
+  const scripts = ['drawing.js', 'sketch.js', 'plane.js', 'sketches.js', 'sketches_more.js'].map((name) => `<script>${text(name)}</script>`).join('');
   writeFileSync(file, `<!DOCTYPE html><html><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><style>${text('page.css')}</style></head><body>${
     KINDS.map((kind) => `<div class="widget"><h4>${kind}</h4><div class="figure-live" data-sketch="${kind}"></div></div>`).join('')}${scripts}<script>for (const host of document.querySelectorAll('[data-sketch]')) boxprobeSketch(host, host.dataset.sketch);</script></body></html>`);
   const page = await BrowserPage.open('file://' + file, { width: 1280, height: 900 });
