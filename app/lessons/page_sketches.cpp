@@ -27,7 +27,7 @@ const std::vector<PageSketch>& pageSketches() {
       {PageSketch::Plan, "ball", "Painted, or a mirror?",
        "Choose how the ball samples the cubemap that was captured at C, then drag the eye, the ball and C. The upper "
        "half of the strip is what the eye sees on the ball, the lower half what it should see. Which of the three "
-       "follows the eye, and which one the ball as well?",
+       "follow the eye, and which one stays right wherever the ball is?",
        false},
       {PageSketch::Plan, "impostor", "What did C see?",
        "The box knows walls, and the captured distances know what C saw. Drag C, the table top and P. Find a place for "

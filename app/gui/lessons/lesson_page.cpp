@@ -120,8 +120,9 @@ std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictu
     text += "<img id=\"" + pictureId(lesson, number) + "\" alt=\"" + html(lesson.title + ": " + step.title) +
             "\" src=\"" + embedded(pictures.steps[number]) + "\">";
   }
-  text += "</div></figure><h4><a class=\"address\" href=\"#" + stepId(lesson, number) + "\">" +
-          std::to_string(number + 1) + "</a>&ensp;" + html(step.title) + "</h4><p>" + html(step.say) + "</p>";
+  text += "</div></figure><h4><a class=\"address\" title=\"" + html(say("Link to this step")) + "\" href=\"#" +
+          stepId(lesson, number) + "\">" + std::to_string(number + 1) + "</a>&ensp;" + html(step.title) + "</h4><p>" +
+          html(step.say) + "</p>";
   text += formulaHtml(step.formula);
   // A page has neither panels nor handles.
   if (!step.mayMove.empty()) {
@@ -438,11 +439,19 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
       title + "</title>\n<style>\n" + std::string(webSource("page.css")) + "</style></head><body>\n<h1>" + title +
       "</h1>\n<main>\n" + opening_;
   if (!say_.unreviewed().empty()) text += "<p class=\"try\">" + html(say_.unreviewed()) + "</p>\n";
-  text += "<p>" +
-          html(say_("Boxprobe drew every picture from the lesson's scene and measured every number on it when it made "
-                    "this page. In its window you can change each step yourself:")) +
-          " <code>boxprobe lessons NAME</code></p>\n<nav id=\"contents\" aria-label=\"" + html(say_("Contents")) +
-          "\"><p class=\"score\"></p><ul class=\"chapters\">\n" + contents();
+  int minutes = 0;
+  for (const Section& section : sections_) minutes += section.minutes;
+  const std::vector<std::string> values = {std::to_string(sections_.size()), std::to_string(minutes)};
+  const std::string inAll =
+      sections_.size() > 1 ? html(say_("{0} lessons, about {1} minutes in all.", values)) + " " : std::string();
+  text +=
+      "<p>" +
+      html(say_("Boxprobe drew every picture from the lesson's scene and measured every number on it when it made "
+                "this page. In its window you can change each step yourself:")) +
+      " <code>boxprobe lessons NAME</code></p>\n<p>" + inAll +
+      html(say_("The page works without a network and sends nothing; your answers are kept in this browser alone.")) +
+      "</p>\n<nav id=\"contents\" aria-label=\"" + html(say_("Contents")) +
+      "\"><p class=\"score\"></p><ul class=\"chapters\">\n" + contents();
   if (!notation.empty()) text += "<li><a href=\"#notation\">" + html(say_("Notation")) + "</a></li>\n";
   if (!sources.empty()) text += "<li><a href=\"#sources\">" + html(say_("Sources")) + "</a></li>\n";
   text += "</ul></nav>\n" + body() + notationHtml(notation, say_);
