@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/lessons/page_sketches.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
@@ -18,7 +19,8 @@ constexpr const char* kForm =
     "; expected {\"format\": \"boxprobe-lesson-page\", \"version\": 1, \"plans\": {LESSON: [x, y]}, \"rooms\": "
     "[LESSON, ..], \"figures\": {\"infinity\" or \"stand\": LESSON of \"rooms\" or [LESSON, ..], \"cone\", "
     "\"fresnel\", "
-    "\"lobe\" or \"glass\": LESSON or [LESSON, ..]}, \"code\": {LESSON of \"rooms\": {\"say\": S, \"start\": [LINE, "
+    "\"lobe\", \"glass\" or a sketch such as \"ball\": LESSON or [LESSON, ..]}, \"code\": {LESSON of \"rooms\": "
+    "{\"say\": S, \"start\": [LINE, "
     "..], "
     "\"answer\": [LINE, ..]}}, \"sources\": [{\"title\": T, \"address\": \"https://..\"}, ..]}, x and y from 0 to 1";
 constexpr const char* kLoopForm =
@@ -81,7 +83,7 @@ bool needsRoom(const std::string& figure) {
 }
 
 bool isFigure(const std::string& name) {
-  return needsRoom(name) || name == "cone" || name == "fresnel" || name == "lobe" || name == "glass";
+  return needsRoom(name) || findPageSketch(name) != nullptr;
 }
 
 /// Nothing for what is neither a name nor names.

@@ -46,8 +46,8 @@ struct PageWidgets {
   std::map<std::string, PicturePoint> plans;  ///< lesson: the place in its pictures whose ray is drawn in plan
   std::vector<std::string> rooms;             ///< lessons that are followed by the room to walk in
   /// Live figure, "infinity" or "stand" of data/web/figures.js, "cone" of cone.js, "fresnel", "lobe" or "glass" of
-  /// surface.js: its lessons, which have to have a room for the first two. The first opens the page, the others their
-  /// lessons.
+  /// surface.js, or one of page_sketches.h: its lessons, which have to have a room for the first two. The first opens
+  /// the page, the others their lessons.
   std::map<std::string, std::vector<std::string>> figures;
   std::map<std::string, LessonCode> code;  ///< by lesson, which has to have a room
   std::vector<LessonSource> sources;

@@ -5,7 +5,7 @@
 // preprocessor nor recursion. A graphics card that is taken away all the same comes back with the code that is there at the start.
 'use strict';
 (() => {
-  const { element } = boxprobeDrawing, LOOPS = 256, LONGEST = 8000, MARK = '//bp-code\n', PIECE = 'technique/projection_box.glsl';
+  const { element, say } = boxprobeDrawing, LOOPS = 256, LONGEST = 8000, MARK = '//bp-code\n', PIECE = 'technique/projection_box.glsl';
   const WRAP = `
 ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)
 {
@@ -22,11 +22,11 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
   /** { text } of the code with its loops bounded, line by line as it was, or { line, message }. */
   function bounded(code) {
     const lineAt = (at) => code.slice(0, at).split('\n').length;
-    if (code.length > LONGEST) return { line: 1, message: `more than ${LONGEST} letters` };
+    if (code.length > LONGEST) return { line: 1, message: say('more than {0} letters', LONGEST) };
     // Comments become spaces, so that nothing within them counts and every line keeps its place.
     const plain = code.replace(/\/\*[^]*?(\*\/|$)|\/\/[^\n]*/g, (comment) => comment.replace(/[^\n]/g, ' '));
     const odd = plain.search(/[#\\]|[^\x00-\x7f]/);
-    if (odd >= 0) return { line: lineAt(odd), message: `${plain[odd]} is left out here: no preprocessor, and plain letters` };
+    if (odd >= 0) return { line: lineAt(odd), message: say('{0} is left out here: no preprocessor, and plain letters', plain[odd]) };
     let text = '', from = 0;
     for (const found of plain.matchAll(/\b(for|while)\b\s*/g)) {
       const head = found.index + found[0].length;
@@ -63,13 +63,13 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
       const side = element('div', { class: 'code-side' }, both);
       this.frame = element('div', { class: 'code-frame' }, side);
       this.lines = element('div', { class: 'code-lines', 'aria-hidden': 'true' }, this.frame);
-      this.area = element('textarea', { spellcheck: 'false', autocomplete: 'off', autocapitalize: 'off', wrap: 'off', 'aria-label': 'GLSL: the function lookup', 'data-control': 'code' }, this.frame);
+      this.area = element('textarea', { spellcheck: 'false', autocomplete: 'off', autocapitalize: 'off', wrap: 'off', 'aria-label': say('GLSL: the function lookup'), 'data-control': 'code' }, this.frame);
       this.errors = element('ul', { class: 'code-errors', 'aria-live': 'polite' }, side);
-      this.map = element('canvas', { class: 'code-difference', role: 'img', 'aria-label': 'Difference from the program’s own box projection, four times as bright' }, shown);
-      element('p', { class: 'code-caption' }, shown, 'Difference from the program’s own box projection, four times as bright');
+      this.map = element('canvas', { class: 'code-difference', role: 'img', 'aria-label': say('Difference from the program’s own box projection, four times as bright') }, shown);
+      element('p', { class: 'code-caption' }, shown, say('Difference from the program’s own box projection, four times as bright'));
       const bar = element('div', { class: 'figure-bar' }, host);
-      this.reset = element('button', { type: 'button', 'data-control': 'reset code' }, bar, 'Reset the code');
-      this.show = element('button', { type: 'button', 'data-control': 'show code' }, bar, 'Show a solution');
+      this.reset = element('button', { type: 'button', 'data-control': 'reset code' }, bar, say('Reset the code'));
+      this.show = element('button', { type: 'button', 'data-control': 'show code' }, bar, say('Show a solution'));
       this.said = element('p', { class: 'figure-said', 'aria-live': 'polite' }, host);
       this.area.value = data.start;
       this.area.addEventListener('input', () => { clearTimeout(this.later); this.number(); this.later = setTimeout(() => this.compile(), 250); });
@@ -85,8 +85,8 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
       if (!this.room) return false;
       const { canvas } = this.room.gl;
       this.room.row = this.room.findRow('box', 'none');
-      canvas.setAttribute('aria-label', 'The room, with the code’s lookup in its mirror floor');
-      canvas.addEventListener('webglcontextlost', () => { this.said.textContent = 'The browser has taken the graphics card away: when it comes back, the code is the one at the start.'; });
+      canvas.setAttribute('aria-label', say('The room, with the code’s lookup in its mirror floor'));
+      canvas.addEventListener('webglcontextlost', () => { this.said.textContent = say('The browser has taken the graphics card away: when it comes back, the code is the one at the start.'); });
       this.picture.addEventListener('boxproberestored', () => this.put(this.data.start));
       new ResizeObserver(() => this.redraw()).observe(canvas);
       this.put(this.data.start);
@@ -124,7 +124,7 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
       }
       this.number(errors.map(({ line }) => line));
       this.errors.replaceChildren();
-      for (const { line, message } of errors.slice(0, 5)) element('li', {}, this.errors, `Line ${line}: ${message}`);
+      for (const { line, message } of errors.slice(0, 5)) element('li', {}, this.errors, say('Line {0}: {1}', line, message));
       this.host.dataset.errors = errors.map(({ line }) => line).join();
       this.failed = errors.length > 0;
       this.redraw();
@@ -167,8 +167,8 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
       this.difference = Math.sqrt(sum / (3 * width * height)) / 255;
       this.host.dataset.difference = this.difference;
       this.host.dataset.drawn = String(Number(this.host.dataset.drawn || 0) + 1);
-      this.said.textContent = (this.failed ? 'It does not compile: the picture is of the code before. ' : '')
-        + (most <= 2 ? 'No difference: this is box projection.' : `Difference: ${this.difference.toFixed(4)} of white (root mean square).`);
+      this.said.textContent = (this.failed ? `${say('It does not compile: the picture is of the code before.')} ` : '')
+        + (most <= 2 ? say('No difference: this is box projection.') : say('Difference: {0} of white (root mean square).', this.difference.toFixed(4)));
     }
   }
 

@@ -214,6 +214,7 @@
 
   window.boxprobeCone = (host) => {
     const cone = new Cone(host);
+    element('p', {}, host, 'The level is one part of the error. The other is the lobe’s shape, long and narrow where the view is flat, which no level can give: see what was measured on the pictures.');
     host.boxprobeCone = { state: () => JSON.parse(JSON.stringify(cone.state)), numbers: () => numbers(cone.state), curves: () => cone.curves(), guess: () => [...cone.guess] };
   };
 })();

@@ -1,7 +1,12 @@
-// What the figures of the page of lessons share: elements of SVG, points to take hold of, the distance to a wall.
+// What the figures of the page of lessons share: elements of SVG, points to take hold of, the distance to a wall, words in the page's language.
 'use strict';
 const boxprobeDrawing = (() => {
   const NO_HIT = 3.0e38;
+
+  // The page's own words in its language, by the English ones (data/lessons/page); without them it is English.
+  const words = JSON.parse(document.getElementById('page-texts')?.textContent || '{}');
+  /** "{0}", "{1}" .. in the text are the values. */
+  const say = (text, ...values) => (words[text] ?? text).replace(/\{(\d)\}/g, (_, i) => values[i]);
 
   function element(name, attributes, parent, text) {
     const made = name === 'svg' || parent instanceof SVGElement ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);
@@ -53,5 +58,5 @@ const boxprobeDrawing = (() => {
     return speed * NO_HIT > gap ? gap / speed : NO_HIT;
   }
 
-  return { element, takeHold, slabFactor, wayOf, ofBrowser };
+  return { element, say, takeHold, slabFactor, wayOf, ofBrowser };
 })();

@@ -9,7 +9,7 @@
 // Lengths are scene units, in the world. The mathematics is that of data/web/plan.js; tests/outside/page holds both to the compiled one.
 'use strict';
 (() => {
-  const { element, takeHold, slabFactor, wayOf } = boxprobeDrawing, ASPECT = 1.6;
+  const { element, say, takeHold, slabFactor, wayOf } = boxprobeDrawing, ASPECT = 1.6;
   const add = (a, b) => a.map((v, i) => v + b[i]), sub = (a, b) => a.map((v, i) => v - b[i]), scaled = (a, s) => a.map((v) => v * s);
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2], length = (a) => Math.sqrt(dot(a, a)), unit = (a) => scaled(a, 1 / length(a));
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -78,20 +78,20 @@
       this.picture = element('div', { class: 'figure-picture' }, both);
       this.picture.append(canvas);
       canvas.setAttribute('role', 'application');  // its keys are its own
-      canvas.setAttribute('aria-label', 'A room with a mirror floor. Point at the floor, or move the point by the arrow keys.');
+      canvas.setAttribute('aria-label', say('A room with a mirror floor. Point at the floor, or move the point by the arrow keys.'));
       canvas.style.touchAction = 'pan-y';
       this.over = element('svg', { class: 'figure-over', 'aria-hidden': 'true' }, this.picture);
       const side = element('div', { class: 'figure-map' }, both);
-      this.map = element('canvas', { width: 512, height: 384, role: 'img', 'aria-label': 'The cubemap, unfolded: six pictures captured at C' }, side);
+      this.map = element('canvas', { width: 512, height: 384, role: 'img', 'aria-label': say('The cubemap, unfolded: six pictures captured at C') }, side);
       this.mapOver = element('svg', { class: 'figure-over', viewBox: '0 0 512 384', 'aria-hidden': 'true' }, side);
       const bar = element('div', { class: 'figure-bar' }, host);
       const label = element('label', {}, bar);
-      element('span', { class: 'name' }, label, 'size of the box');
-      element('span', { class: 'end' }, label, 'infinite: R alone');
-      this.slider = element('input', { type: 'range', min: 0, max: 1000, step: 1, value: 0, 'data-control': 'box size', 'aria-label': 'size of the box, from infinite to the room' }, label);
-      element('span', { class: 'end' }, label, 'the room');
+      element('span', { class: 'name' }, label, say('size of the box'));
+      element('span', { class: 'end' }, label, say('infinite: R alone'));
+      this.slider = element('input', { type: 'range', min: 0, max: 1000, step: 1, value: 0, 'data-control': 'box size', 'aria-label': say('size of the box, from infinite to the room') }, label);
+      element('span', { class: 'end' }, label, say('the room'));
       this.output = element('output', {}, label);
-      this.play = element('button', { type: 'button' }, bar, 'Play');
+      this.play = element('button', { type: 'button' }, bar, say('Play'));
       this.said = element('p', { class: 'figure-said', 'aria-live': 'polite' }, host);
       this.slider.addEventListener('input', () => { this.stop(); this.setSize(this.slider.value / 1000); });
       this.play.addEventListener('click', () => (this.running ? this.stop() : this.run()));
@@ -125,7 +125,7 @@
       const from = this.size < 1 ? this.size : 0, to = 1, began = performance.now(), seconds = 4;
       const turn = this.turn = (this.turn || 0) + 1;  // one that was stopped does not go on beside the next
       this.running = true;
-      this.play.textContent = 'Stop';
+      this.play.textContent = say('Stop');
       const frame = (now) => {
         if (!this.running || turn !== this.turn) return;
         const t = clamp((now - began) / (1000 * seconds), 0, 1), eased = t * t * (3 - 2 * t);
@@ -138,7 +138,7 @@
 
     stop() {
       this.running = false;
-      this.play.textContent = 'Play';
+      this.play.textContent = say('Play');
     }
 
     axes() {
@@ -212,8 +212,8 @@
       draw(n.origin, n.shown, 'lookup');
       const apart = length(sub(n.truth, n.shown)) > 0.05;
       const [toTruth, toShown] = [n.truth, n.shown].map((at) => this.pixel(at)), right = !toTruth || !toShown || toTruth[0] >= toShown[0] ? 1 : -1;
-      mark(n.truth, apart ? 'should be seen' : 'H', 'reflected', 12 * right, -8, true);
-      mark(n.shown, apart ? 'is seen' : '', 'lookup', -10 * right, -10);
+      mark(n.truth, apart ? say('should be seen') : 'H', 'reflected', 12 * right, -8, true);
+      mark(n.shown, apart ? say('is seen') : '', 'lookup', -10 * right, -10);
       mark(n.origin, 'C', 'lookup', -8, -8);
       mark(n.position, 'P', 'reflected', -8, 18);
       mapOver.replaceChildren();
@@ -228,10 +228,10 @@
       const [ring, dotAt] = [place(a), place(b)];
       element('circle', { cx: ring[0], cy: ring[1], r: 10, class: 'reflected ring' }, mapOver);
       element('circle', { cx: dotAt[0], cy: dotAt[1], r: 6, class: 'lookup dot' }, mapOver);
-      this.output.textContent = this.size > 0 ? `${(1 / this.size).toFixed(2)} × the room` : 'infinite';
+      this.output.textContent = this.size > 0 ? say('{0} × the room', (1 / this.size).toFixed(2)) : say('infinite');
       this.host.dataset.error = n.errorDegrees;
-      this.said.textContent = n.errorDegrees < 0.05 ? 'The ray from P and the arrow from C end in one place: this pixel is right.'
-        : `The cubemap is sampled ${n.errorDegrees.toFixed(1)}° away from the place where the ray from P ends.`;
+      this.said.textContent = n.errorDegrees < 0.05 ? say('The ray from P and the arrow from C end in one place: this pixel is right.')
+        : say('The cubemap is sampled {0}° away from the place where the ray from P ends.', n.errorDegrees.toFixed(1));
     }
 
     /** The capture into the map, drawn once by the same context. */
@@ -295,15 +295,15 @@
       const bar = element('div', { class: 'figure-bar' }, host);
       const label = element('label', { class: 'check' }, bar);
       this.check = element('input', { type: 'checkbox', 'data-control': 'box' }, label);
-      label.append(' box projection');
+      label.append(` ${say('box projection')}`);
       // The place to be found is not shown before it is: then its ring, its name and a button are.
-      this.show = element('button', { type: 'button', 'data-control': 'show the place' }, bar, 'Show the place');
-      this.under = element('button', { type: 'button', 'data-control': 'mirrored eye', hidden: '' }, bar, 'Drop C on the mirrored eye');
-      const again = element('button', { type: 'button' }, bar, 'Start again');
+      this.show = element('button', { type: 'button', 'data-control': 'show the place' }, bar, say('Show the place'));
+      this.under = element('button', { type: 'button', 'data-control': 'mirrored eye', hidden: '' }, bar, say('Drop C on the mirrored eye'));
+      const again = element('button', { type: 'button' }, bar, say('Start again'));
       const key = element('span', { class: 'stand-key' }, bar);
       key.append('0°');
       element('span', { class: 'stand-scale', style: `background:linear-gradient(to right,${HEAT.map((c) => `rgb(${c})`).join(',')})` }, key);
-      key.append(`${HEAT_END}° and more`);
+      key.append(say('{0}° and more', HEAT_END));
       this.said = element('p', { class: 'figure-said', 'aria-live': 'polite' }, host);
       this.check.addEventListener('change', () => { this.state.box = this.check.checked; this.redraw(); });
       this.show.addEventListener('click', () => { this.found = true; this.redraw(); });
@@ -321,20 +321,20 @@
     view(parent, name) {
       const tall = name === 'plan' ? this.depth : 2 * this.height, figure = element('figure', { class: 'stand-view' }, parent);
       const frame = element('div', { class: 'stand-frame' }, figure), view = { name, tall };
-      if (name === 'plan') view.canvas = element('canvas', { width: COLUMNS, height: Math.round(COLUMNS * this.depth / WIDTH), role: 'img', 'aria-label': 'Error of the lookup over the floor' }, frame);
-      view.svg = element('svg', { viewBox: `0 0 ${WIDTH} ${tall.toFixed(0)}`, role: 'group', 'aria-label': name === 'plan' ? 'Plan of the floor' : 'Elevation, with the mirror world below the floor' }, frame);
-      element('figcaption', {}, figure, name === 'plan' ? 'The floor, from above: how far each point’s lookup is off' : 'From the front; below the line lies the mirror world');
+      if (name === 'plan') view.canvas = element('canvas', { width: COLUMNS, height: Math.round(COLUMNS * this.depth / WIDTH), role: 'img', 'aria-label': say('Error of the lookup over the floor') }, frame);
+      view.svg = element('svg', { viewBox: `0 0 ${WIDTH} ${tall.toFixed(0)}`, role: 'group', 'aria-label': name === 'plan' ? say('Plan of the floor') : say('Elevation, with the mirror world below the floor') }, frame);
+      element('figcaption', {}, figure, name === 'plan' ? say('The floor, from above: how far each point’s lookup is off') : say('From the front; below the line lies the mirror world'));
       view.drawn = element('g', {}, view.svg);
       view.handles = ['eye', 'origin'].map((key) => this.handle(view, key));
       return view;
     }
 
     handle(view, key) {
-      const said = key === 'eye' ? 'the eye' : 'C, the capture origin';
-      const g = element('g', { class: `handle handle-${key === 'eye' ? 'eye' : 'C'}`, tabindex: 0, role: 'button', 'aria-label': `${said}: drag it or use the arrow keys`, 'data-handle': `${view.name} ${key}` }, view.svg);
+      const said = key === 'eye' ? say('the eye') : say('C, the capture origin');
+      const g = element('g', { class: `handle handle-${key === 'eye' ? 'eye' : 'C'}`, tabindex: 0, role: 'button', 'aria-label': say('{0}: drag it or use the arrow keys', said), 'data-handle': `${view.name} ${key}` }, view.svg);
       element('circle', { r: 22, class: 'grip' }, g);
       element('circle', { r: 8 }, g);
-      element('text', { x: 13, y: -9, class: key === 'eye' ? 'view' : 'lookup' }, g, key === 'eye' ? 'eye' : 'C');
+      element('text', { x: 13, y: -9, class: key === 'eye' ? 'view' : 'lookup' }, g, key === 'eye' ? say('eye') : 'C');
       const move = (pixel) => {
         const p = this.state[key], { min, max } = this.room;
         p[0] = clamp(min[0] + pixel[0] / this.scale, min[0], max[0]);
@@ -383,7 +383,7 @@
         }
         const at = this.pixel(view.name, mirrored);
         if (this.found) element('circle', { cx: at[0], cy: at[1], r: 13, class: 'mirrored' }, view.drawn);
-        if (this.found && view.name === 'elevation') element('text', { x: clamp(at[0] + 18, 4, WIDTH - 120), y: at[1] + 5, class: 'view' }, view.drawn, 'mirrored eye');
+        if (this.found && view.name === 'elevation') element('text', { x: clamp(at[0] + 18, 4, WIDTH - 120), y: at[1] + 5, class: 'view' }, view.drawn, say('mirrored eye'));
         // The point of the floor that sees C in the mirror is right whatever the technique.
         if (!box && origin[1] > min[1]) {
           const t = (eye[1] - min[1]) / (eye[1] + origin[1] - 2 * min[1]), p = this.pixel(view.name, [eye[0] + t * (origin[0] - eye[0]), min[1], eye[2] + t * (origin[2] - eye[2])]);
@@ -392,10 +392,10 @@
         for (const { g, key } of view.handles) g.setAttribute('transform', `translate(${this.pixel(view.name, this.state[key]).join(' ')})`);
       }
       this.host.dataset.mean = this.mean;
-      const where = origin[1] > min[1] ? 'Right only in the black spot, where the eye sees C itself in the mirror.'
-        : this.found ? 'Right only where the line through the mirrored eye and C meets the floor.' : 'Right only in the black spot.';
-      this.said.textContent = most < 0.05 ? (box ? 'Right everywhere, for every C that sees the walls, and for every eye: the box says where the walls are.' : 'Right everywhere, for this eye only: a capture at the mirrored eye is a planar reflection. Move the eye.')
-        : `Mean error ${this.mean.toFixed(1)}°. ${where}`;
+      const where = origin[1] > min[1] ? say('Right only in the black spot, where the eye sees C itself in the mirror.')
+        : this.found ? say('Right only where the line through the mirrored eye and C meets the floor.') : say('Right only in the black spot.');
+      this.said.textContent = most < 0.05 ? (box ? say('Right everywhere, for every C that sees the walls, and for every eye: the box says where the walls are.') : say('Right everywhere, for this eye only: a capture at the mirrored eye is a planar reflection. Move the eye.'))
+        : `${say('Mean error {0}°.', this.mean.toFixed(1))} ${where}`;
       this.host.dispatchEvent(new Event('boxprobechange'));
     }
   }

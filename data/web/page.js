@@ -2,6 +2,7 @@
 // count the first try. Without it the page is whole: still plans, every picture, answers that open.
 'use strict';
 (() => {
+  const { say } = boxprobeDrawing;
   for (const host of document.querySelectorAll('.plan[data-plan]')) window.boxprobePlan(host, JSON.parse(host.dataset.plan));
 
   // Tasks are measured in the plan or the room that they stand below.
@@ -23,7 +24,7 @@
     const button = document.createElement('button'), view = JSON.parse(host.dataset.view);
     button.type = 'button';
     button.className = 'open-room';
-    button.textContent = 'Open the room';
+    button.textContent = say('Open the room');
     button.addEventListener('click', async () => {
       button.remove();
       const prepare = (room) => window.boxprobeView(room, view);
@@ -53,14 +54,14 @@
       made.textContent = text || '';
       return made;
     };
-    const edge = make('div', 'edge'), left = make('span', 'side left', 'before'), right = make('span', 'side right-side', 'after');
+    const edge = make('div', 'edge'), left = make('span', 'side left', say('before')), right = make('span', 'side right-side', say('after'));
     picture.append(over, edge, left, right);
-    const bar = make('div', 'wipe-bar'), range = make('input', ''), close = make('button', '', 'Close');
+    const bar = make('div', 'wipe-bar'), range = make('input', ''), close = make('button', '', say('Close'));
     range.type = 'range';
     range.min = 0;
     range.max = 1000;
     range.value = 500;
-    range.setAttribute('aria-label', 'how much of the picture before is shown');
+    range.setAttribute('aria-label', say('how much of the picture before is shown'));
     close.type = 'button';
     bar.append(range, close);
     figure.querySelector('.compare').after(bar);
@@ -100,7 +101,7 @@
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'compare';
-    button.textContent = 'Wipe against the picture before';
+    button.textContent = say('Wipe against the picture before');
     button.addEventListener('click', () => {
       button.hidden = true;
       startWipe(figure).focus({ preventScroll: true });
@@ -120,9 +121,10 @@
       window.boxprobeCone(host);
       return;
     }
-    if (host.dataset.kind) {
+    if (host.dataset.kind || host.dataset.sketch) {
       host.querySelector('.figure-still').remove();
-      window.boxprobeSurface(host, host.dataset.kind);
+      if (host.dataset.kind) window.boxprobeSurface(host, host.dataset.kind);
+      else window.boxprobeSketch(host, host.dataset.sketch);
       return;
     }
     const scene = sceneOf(host.dataset.scene), view = JSON.parse(host.dataset.view), still = host.querySelector('.figure-still');
@@ -149,6 +151,14 @@
     }
   }, { rootMargin: '200px' });
   for (const host of document.querySelectorAll('.figure-live')) seen.observe(host);
+  // On paper the small figures are stills: those that nobody has seen yet begin now.
+  window.addEventListener('beforeprint', () => {
+    for (const host of document.querySelectorAll('.figure-live[data-sketch], .figure-live[data-kind]')) {
+      if (!host.querySelector('.figure-still')) continue;
+      seen.unobserve(host);
+      startFigure(host);
+    }
+  });
 
   // Questions: the answer that is opened first counts, and what follows a question is hidden until then: the next picture answers it.
   // What was answered is kept in the browser.
@@ -164,13 +174,13 @@
   };
 
   /** Steps after the first question without a guess are hidden, and with them what answers it: what was measured, films, exercises and
-      live figures. The cone stays: it has a guess of its own. */
+      live figures. One that opens its lesson stays: it answers none of the questions, or has a guess of its own. */
   function hideAnswers(lesson) {
     const steps = [...lesson.querySelectorAll('.step')], shown = Number(lesson.dataset.shown || 0);
     const stop = steps.findIndex((step, i) => i >= shown && step.querySelector('.question:not([data-tried])'));
     steps.forEach((step, i) => { step.hidden = stop >= 0 && i > stop; });
     const hides = stop >= 0;
-    for (const part of lesson.querySelectorAll('.measured, .loop, .exercises, .widget:not(:has([data-figure=cone]))')) part.hidden = hides;
+    for (const part of lesson.querySelectorAll('.measured, .loop, .exercises, .widget:not(.opens)')) part.hidden = hides;
     let wait = lesson.querySelector('.waiting');
     if (!hides) {
       if (wait) wait.remove();
@@ -178,7 +188,7 @@
     }
     if (!wait) {
       wait = make('div', 'waiting', '');
-      const button = make('button', '', 'Show it without a guess');
+      const button = make('button', '', say('Show it without a guess'));
       button.type = 'button';
       button.addEventListener('click', () => {
         lesson.dataset.shown = steps.length;
@@ -188,17 +198,25 @@
       lesson.querySelector('.steps').append(wait);
     }
     const left = steps.length - 1 - stop;
-    wait.firstChild.textContent = !left ? 'Make a guess, and what was measured appears.' : `Make a guess, and the next picture answers it. (${left} more ${left > 1 ? 'steps' : 'step'} in this lesson.)`;
+    wait.firstChild.textContent = !left ? say('Make a guess, and what was measured appears.')
+      : left > 1 ? say('Make a guess, and the next picture answers it. ({0} more steps in this lesson.)', left) : say('Make a guess, and the next picture answers it. (1 more step in this lesson.)');
   }
 
-  const score = document.querySelector('.score'), forget = make('button', 'forget', 'Forget my answers');
+  const score = document.querySelector('.score'), forget = make('button', 'forget', say('Forget my answers'));
   forget.type = 'button';
   forget.hidden = true;
   score.after(forget);
+  // A teacher prints the page without its answers.
+  const paper = make('label', 'paper check', ''), withAnswers = document.createElement('input');
+  withAnswers.type = 'checkbox';
+  withAnswers.checked = true;
+  withAnswers.addEventListener('change', () => document.body.classList.toggle('no-answers', !withAnswers.checked));
+  paper.append(withAnswers, ` ${say('print answers and solutions at the end')}`);
+  forget.after(paper);
   function showScore() {
     const tried = questions.filter((q) => q.dataset.tried), right = tried.filter((q) => q.dataset.tried === 'right').length;
-    const text = `${right} of ${tried.length} right at the first try, ${questions.length} in all.`;
-    score.textContent = tried.length ? `Questions: ${text}` : '';
+    const text = say('{0} of {1} right at the first try, {2} in all.', right, tried.length, questions.length);
+    score.textContent = tried.length ? say('Questions: {0}', text) : '';
     forget.hidden = !tried.length;
     return text;
   }
@@ -219,7 +237,7 @@
           hideAnswers(question.closest('section'));
         }
         verdict.className = `verdict ${right ? 'good' : 'bad'}`;
-        verdict.textContent = `${right ? 'Right.' : 'Not that one: try another.'} First tries: ${showScore()}`;
+        verdict.textContent = `${right ? say('Right.') : say('Not that one: try another.')} ${say('First tries: {0}', showScore())}`;
       });
     }
     if (kept[question.dataset.question]) question.dataset.tried = kept[question.dataset.question] === 'right' ? 'right' : 'wrong';
@@ -260,7 +278,7 @@
   // A search over titles and texts.
   const contents = document.querySelector('#contents .chapters');
   if (contents && document.querySelectorAll('h3').length > 1) {
-    const label = make('label', 'search', 'Search '), input = document.createElement('input');
+    const label = make('label', 'search', `${say('Search')} `), input = document.createElement('input');
     input.type = 'search';
     label.append(input);
     const none = make('p', 'search-none', '');
@@ -274,7 +292,7 @@
       const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
       for (const [item, text] of texts) item.hidden = !words.every((word) => text.includes(word));
       for (const chapter of contents.children) chapter.hidden = words.length > 0 && !chapter.querySelector('li:not([hidden])');
-      none.textContent = [...texts.keys()].every((item) => item.hidden) ? 'No lesson has these words.' : '';
+      none.textContent = [...texts.keys()].every((item) => item.hidden) ? say('No lesson has these words.') : '';
     });
   }
 })();

@@ -4,7 +4,7 @@
 // shaders/shared/slab.glsl and finite.glsl; tests/outside/page holds them to the compiled ones.
 'use strict';
 (() => {
-  const { element, takeHold, slabFactor } = boxprobeDrawing, AXES = 'xyz';
+  const { element, say, takeHold, slabFactor } = boxprobeDrawing, AXES = 'xyz';
   const add = (a, b) => a.map((v, i) => v + b[i]), sub = (a, b) => a.map((v, i) => v - b[i]);
   const scaled = (a, s) => a.map((v) => v * s), dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const length = (a) => Math.sqrt(dot(a, a));
@@ -36,9 +36,9 @@
   }
 
   const views = {
-    plan: { title: 'Plan, from above', right: [0, 1], up: [2, -1] },
-    front: { title: 'Elevation, from the front', right: [0, 1], up: [1, 1] },
-    side: { title: 'Elevation, from the side', right: [2, -1], up: [1, 1] },
+    plan: { title: say('Plan, from above'), right: [0, 1], up: [2, -1] },
+    front: { title: say('Elevation, from the front'), right: [0, 1], up: [1, 1] },
+    side: { title: say('Elevation, from the side'), right: [2, -1], up: [1, 1] },
   };
 
   /** Text in which "_x" is a subscript, within HTML or SVG. */
@@ -75,7 +75,7 @@
       const [a, b] = [this.view.right[0], this.view.up[0]];
       for (const side of ['min', 'max']) {
         for (const axis of [a, b]) {
-          hold(`wall-${side}-${AXES[axis]}`, `wall ${side === 'min' ? '−' : '+'}${AXES[axis]}`, axis === a ? 'wall-across' : 'wall-along',
+          hold(`wall-${side}-${AXES[axis]}`, say('wall {0}', `${side === 'min' ? '−' : '+'}${AXES[axis]}`), axis === a ? 'wall-across' : 'wall-along',
             (s) => { const middle = scaled(add(s.box.min, s.box.max), 0.5); middle[axis] = s.box[side][axis]; return middle; },
             (s, to) => {
               const other = side === 'min' ? s.box.max[axis] : s.box.min[axis], least = 0.1;
@@ -84,9 +84,9 @@
         }
       }
       const plain = (key) => [(s) => s[key], (s, to) => { s[key][a] = to[a]; s[key][b] = to[b]; }];
-      hold('eye', 'the eye', 'eye', ...plain('eye'));
-      hold('C', 'C, where the probe was captured', 'C', ...plain('origin'));
-      hold('P', 'P, the point that reflects', 'P', ...plain('position'));
+      hold('eye', say('the eye'), 'eye', ...plain('eye'));
+      hold('C', say('C, where the probe was captured'), 'C', ...plain('origin'));
+      hold('P', say('P, the point that reflects'), 'P', ...plain('position'));
     }
 
     paper(p) { const [i, s] = this.view.right, [j, t] = this.view.up; return [s * p[i], t * p[j]]; }
@@ -100,7 +100,7 @@
     }
 
     addHandle(id, label, kind, read, write) {
-      const g = element('g', { class: `handle handle-${kind}`, tabindex: 0, role: 'button', 'aria-label': `${label}: drag it or use the arrow keys`, 'data-handle': id }, this.svg);
+      const g = element('g', { class: `handle handle-${kind}`, tabindex: 0, role: 'button', 'aria-label': say('{0}: drag it or use the arrow keys', label), 'data-handle': id }, this.svg);
       element('circle', { r: 20, class: 'grip' }, g);
       const wall = kind.startsWith('wall');
       if (wall) element('rect', kind === 'wall-across' ? { x: -4, y: -11, width: 8, height: 22, rx: 3 } : { x: -11, y: -4, width: 22, height: 8, rx: 3 }, g);
@@ -177,7 +177,7 @@
       this.label(n.hit, 'H', 'hit', 9, -9);
       this.label(s.position, 'P', 'P', -18, 19);
       this.label(s.origin, 'C', 'C', -18, -9);
-      this.label(s.eye, 'eye', 'eye', p[0] > this.pixel(s.eye)[0] ? -38 : 10, -10);  // not over the V of its line
+      this.label(s.eye, say('eye'), 'eye', p[0] > this.pixel(s.eye)[0] ? -38 : 10, -10);  // not over the V of its line
       for (const { g, read } of this.handles.values()) {
         const [x, y] = this.pixel(read(s));
         g.setAttribute('transform', `translate(${x} ${y})`);
@@ -195,24 +195,24 @@
     const walls = n.t.map((v, i) => ({ name: `t_${AXES[i]}`, value: fixed(v), wins: i === n.axis,
       how: `(${n.reflection[i] < 0 ? 'min' : 'max'}_${AXES[i]} − P_${AXES[i]}) / R_${AXES[i]} = (${fixed(n.reflection[i] < 0 ? s.box.min[i] : s.box.max[i])} − ${within(s.position[i])}) / ${within(n.reflection[i])}` }));
     return [
-      { name: 'P', value: triple(s.position), how: 'the point that reflects' },
-      { name: 'N', value: triple(s.normal), how: 'its normal' },
-      { name: 'V', value: triple(n.view), how: 'from P towards the eye' },
+      { name: 'P', value: triple(s.position), how: say('the point that reflects') },
+      { name: 'N', value: triple(s.normal), how: say('its normal') },
+      { name: 'V', value: triple(n.view), how: say('from P towards the eye') },
       { name: 'R', value: triple(n.reflection), how: '2 (N · V) N − V' },
       ...walls,
-      { name: 'd', value: fixed(n.distance), how: `the smallest: t_${AXES[n.axis]} wins` },
+      { name: 'd', value: fixed(n.distance), how: say('the smallest: {0} wins', `t_${AXES[n.axis]}`) },
       { name: 'H', value: triple(n.hit), how: 'P + d R' },
-      { name: 'C', value: triple(s.origin), how: 'where the probe was captured' },
-      { name: 'R', value: triple(n.reflection), how: `sampled without box projection: ${angle(n.bareError)} off`, kind: 'bare' },
-      { name: 'H − C', value: triple(n.lookup), how: `sampled with box projection: ${angle(n.boxError)} off`, kind: 'lookup' },
+      { name: 'C', value: triple(s.origin), how: say('where the probe was captured') },
+      { name: 'R', value: triple(n.reflection), how: say('sampled without box projection: {0} off', angle(n.bareError)), kind: 'bare' },
+      { name: 'H − C', value: triple(n.lookup), how: say('sampled with box projection: {0} off', angle(n.boxError)), kind: 'lookup' },
     ];
   }
 
   function remark(s, n) {
-    if (n.behind) return 'The eye is behind the mirror: R goes straight on.';
-    if (n.outside) return 'P is outside of the box: a wall that it has passed gives t = 0, and H is pulled on to the box.';
-    if (n.boxError > 0.05) return 'The box does not fit the room (dotted): the ray ends in the ring, the cubemap is sampled elsewhere.';
-    return 'The box fits: H is where the ray ends, and H − C finds it in the cubemap, wherever C is.';
+    if (n.behind) return say('The eye is behind the mirror: R goes straight on.');
+    if (n.outside) return say('P is outside of the box: a wall that it has passed gives t = 0, and H is pulled on to the box.');
+    if (n.boxError > 0.05) return say('The box does not fit the room (dotted): the ray ends in the ring, the cubemap is sampled elsewhere.');
+    return say('The box fits: H is where the ray ends, and H − C finds it in the cubemap, wherever C is.');
   }
 
   window.boxprobePlan = (host, data) => {
@@ -223,7 +223,7 @@
     const pictures = element('div', { class: 'plan-views' }, host);
     const bar = element('div', { class: 'plan-bar' }, host);
     const turn = element('button', { type: 'button' }, bar);
-    const reset = element('button', { type: 'button' }, bar, 'Start again');
+    const reset = element('button', { type: 'button' }, bar, say('Start again'));
     const said = element('p', { class: 'plan-said', 'aria-live': 'polite' }, host);
     const table = element('table', { class: 'plan-numbers' }, host);
     const body = element('tbody', {}, table);
@@ -244,7 +244,7 @@
     const build = () => {
       pictures.replaceChildren();
       drawings = ['plan', sideways ? 'side' : 'front'].map((name) => new Drawing(pictures, name, start, changed));
-      turn.textContent = sideways ? 'Look from the front' : 'Look from the side';
+      turn.textContent = sideways ? say('Look from the front') : say('Look from the side');
       show();
     };
     turn.addEventListener('click', () => { sideways = !sideways; build(); });

@@ -3,6 +3,8 @@
 // roughness, box and capture origin by sliders. Without WebGL2 it says so, and what stood in the host stays.
 'use strict';
 (() => {
+  // A viewer has this file alone, in English.
+  const say = typeof boxprobeDrawing === 'undefined' ? (text, ...values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]) : boxprobeDrawing.say;
   const sub = (a, b) => a.map((v, i) => v - b[i]), add = (a, b) => a.map((v, i) => v + b[i]), scaled = (a, s) => a.map((v) => v * s);
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2], length = (a) => Math.sqrt(dot(a, a)), unit = (a) => scaled(a, 1 / length(a));
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -464,9 +466,9 @@
       });
     }
 
-    choice(name, options, chosen, changed) {
+    choice(name, shown, options, chosen, changed) {
       const label = element('label', {}, this.controls);
-      element('span', { class: 'name' }, label, name);
+      element('span', { class: 'name' }, label, shown);
       const select = element('select', { 'data-control': name }, label);
       for (const [id, text] of options) element('option', { value: id }, select, text);
       select.value = chosen;
@@ -474,9 +476,9 @@
       return select;
     }
 
-    slider(name, low, high, value, changed, done) {
+    slider(name, shown, low, high, value, changed, done) {
       const label = element('label', {}, this.controls);
-      element('span', { class: 'name' }, label, name);
+      element('span', { class: 'name' }, label, shown);
       const step = 10 ** Math.floor(Math.log10((high - low) / 100)), even = (v) => Math.round(v / step) * step;  // 0.01 for a room
       const input = element('input', { type: 'range', min: even(low), max: even(high), step, 'data-control': name }, label);
       const output = element('output', {}, label);
@@ -492,26 +494,27 @@
       this.controls.replaceChildren();
       const unique = (key) => [...new Map(scene.shaders.techniques.map((row) => row[key])).entries()];
       const choose = (projection, evaluation) => { room.row = room.findRow(projection, evaluation) || room.row; };
-      this.choice('projection', unique('projection'), room.row.projection[0], (id) => choose(id, room.row.evaluation[0]));
-      this.choice('evaluation', unique('evaluation'), room.row.evaluation[0], (id) => choose(room.row.projection[0], id));
+      this.choice('projection', say('projection'), unique('projection'), room.row.projection[0], (id) => choose(id, room.row.evaluation[0]));
+      this.choice('evaluation', say('evaluation'), unique('evaluation'), room.row.evaluation[0], (id) => choose(room.row.projection[0], id));
       if (scene.cameras.length > 1) {
-        this.choice('camera', scene.cameras.map((camera) => [camera.name, camera.name]), room.camera.name, (name) => {
+        this.choice('camera', say('camera'), scene.cameras.map((camera) => [camera.name, camera.name]), room.camera.name, (name) => {
           room.camera = copy(scene.cameras.find((camera) => camera.name === name));
         });
       }
       const mirror = scene.materials.find((material) => room.mirrors(material));
-      if (mirror) this.slider('roughness', 0, 1, room.roughness ?? mirror.roughness, (value) => { room.roughness = value; });
+      if (mirror) this.slider('roughness', say('roughness'), 0, 1, room.roughness ?? mirror.roughness, (value) => { room.roughness = value; });
       if (!room.probes.length) return;
       this.probe = Math.min(this.probe || 0, room.probes.length - 1);
       if (room.probes.length > 1) {
-        this.choice('probe', room.probes.map((probe, i) => [String(i), probe.name]), String(this.probe), (i) => { this.probe = Number(i); this.build(); });
+        this.choice('probe', say('probe'), room.probes.map((probe, i) => [String(i), probe.name]), String(this.probe), (i) => { this.probe = Number(i); this.build(); });
       }
       const probe = room.probes[this.probe], given = scene.probes[this.probe];
       const world = (q, i) => dot(q.origin, q.axes[i]);
       for (let i = 0; i < 3; i++) {
         for (const side of ['boxMin', 'boxMax']) {
           const at = given[side][i] + world(given, i), reach = 0.5 * (given.boxMax[i] - given.boxMin[i]);
-          this.slider(`box ${side === 'boxMin' ? '−' : '+'}${'xyz'[i]}`, at - (side === 'boxMin' ? reach : 0.9 * reach), at + (side === 'boxMin' ? 0.9 * reach : reach), probe[side][i] + world(probe, i), (value) => {
+          const face = `${side === 'boxMin' ? '−' : '+'}${'xyz'[i]}`;
+          this.slider(`box ${face}`, say('box {0}', face), at - (side === 'boxMin' ? reach : 0.9 * reach), at + (side === 'boxMin' ? 0.9 * reach : reach), probe[side][i] + world(probe, i), (value) => {
             probe[side][i] = value - world(probe, i);
           });
         }
@@ -519,13 +522,13 @@
       if (room.floatTargets) {
         for (let i = 0; i < 3; i++) {
           const low = given.boxMin[i] + world(given, i), high = given.boxMax[i] + world(given, i), size = high - low;
-          this.slider(`origin ${'xyz'[i]}`, low + 0.05 * size, high - 0.05 * size, world(probe, i), (value) => {
+          this.slider(`origin ${'xyz'[i]}`, say('origin {0}', 'xyz'[i]), low + 0.05 * size, high - 0.05 * size, world(probe, i), (value) => {
             const origin = add(probe.origin, scaled(probe.axes[i], value - world(probe, i)));
             room.recapture(probe, origin);
           });
         }
       }
-      const reset = element('button', { type: 'button' }, this.controls, 'Start again');
+      const reset = element('button', { type: 'button' }, this.controls, say('Start again'));
       reset.addEventListener('click', () => {
         room.probes.forEach((p, i) => Object.assign(p, copy(scene.probes[i]), { map: p.baked }));
         room.roughness = null;
@@ -599,10 +602,10 @@
 
   /** `files`: address of a file that the JSON names; `panel` false: no controls. Resolves when the first picture is loaded; `host.boxprobeRoom` is the Room. */
   window.boxprobeRoom = async (host, scene, options = {}) => {
-    const canvas = element('canvas', { tabindex: 0, role: 'img', 'aria-label': 'The scene: drag or use the arrow keys to look around, + and - to come nearer' });
+    const canvas = element('canvas', { tabindex: 0, role: 'img', 'aria-label': say('The scene: drag or use the arrow keys to look around, + and - to come nearer') });
     const gl = canvas.getContext('webgl2', { antialias: options.antialias !== false, preserveDrawingBuffer: true, alpha: false });
     if (!gl) {
-      element('p', { class: 'room-said' }, host, 'This browser has no WebGL2: the pictures show what could be moved here.');
+      element('p', { class: 'room-said' }, host, say('This browser has no WebGL2: the pictures show what could be moved here.'));
       return;
     }
     try {
@@ -614,7 +617,7 @@
       let lost = null;
       canvas.addEventListener('webglcontextlost', (event) => {
         event.preventDefault();  // it may come back
-        lost = lost || element('p', { class: 'room-said', role: 'alert' }, host, 'The browser has taken the graphics card away from this room. If it does not come back, load the page again to draw it.');
+        lost = lost || element('p', { class: 'room-said', role: 'alert' }, host, say('The browser has taken the graphics card away from this room. If it does not come back, load the page again to draw it.'));
       });
       canvas.addEventListener('webglcontextrestored', async () => {
         await room.restore();
@@ -626,7 +629,7 @@
       if (options.panel !== false) host.boxprobePanel = new Panel(host, room, options);
     } catch (error) {
       canvas.remove();
-      element('p', { class: 'room-said' }, host, `The scene cannot be drawn here (${error.message}): the pictures show what could be moved.`);
+      element('p', { class: 'room-said' }, host, say('The scene cannot be drawn here ({0}): the pictures show what could be moved.', error.message));
     }
   };
 })();

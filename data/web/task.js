@@ -3,7 +3,7 @@
 // `state()`, { boxMin, boxMax, origin } along the box's axes, whenever `measure()` of what it returns is called.
 'use strict';
 (() => {
-  const NO_HIT = 3.0e38;
+  const { say } = boxprobeDrawing, NO_HIT = 3.0e38;
 
   // As data/web/plan.js has it.
   function slabFactor(position, direction, low, high) {
@@ -38,10 +38,10 @@
     const measure = () => {
       const now = state(), value = mean(data.measure, now), limit = data.limit * (data.times ? mean(data.times, now) : 1);
       const done = { above: value > limit, below: value < limit, within: Math.abs(value - limit) <= data.tolerance }[data.done];
-      const wanted = { above: `more than ${shown(limit, data.unit)}`, below: `less than ${shown(limit, data.unit)}`, within: `${shown(limit, data.unit)} ± ${data.tolerance}` }[data.done];
+      const wanted = { above: say('more than {0}', shown(limit, data.unit)), below: say('less than {0}', shown(limit, data.unit)), within: `${shown(limit, data.unit)} ± ${data.tolerance}` }[data.done];
       host.classList.toggle('done', done);
       host.dataset.value = value;
-      said.textContent = done ? `Done: ${shown(value, data.unit)}. ${data.praise}` : `Now ${shown(value, data.unit)}; done at ${wanted}.`;
+      said.textContent = done ? `${say('Done: {0}.', shown(value, data.unit))} ${data.praise}` : say('Now {0}; done at {1}.', shown(value, data.unit), wanted);
     };
     measure();
     return { measure };

@@ -178,10 +178,12 @@ TEST(LessonsCommand, AFalseClaimIsAFailure) {
   folder.write("1-false.lesson.json", R"({"format": "boxprobe-lesson", "version": 1, "title": "T", "chapter": "C",
     "summary": "S", "scene": ")" + demoScene("six-faces") +
                                           R"(", "steps": [{"title": "t", "say": "s"}],
-    "claims": [{"say": "It is dark.", "measure": {"kind": "mean", "step": 1}, "below": 0}]})");
+    "claims": [{"say": "It is dark.", "measure": {"kind": "mean", "step": 1, "region": [0, 0.5, 1, 1]},
+      "below": 0}]})");
   const Outcome outcome = runProgram({"lessons", "--check", "--folder", folder.path("")});
   EXPECT_EQ(outcome.exitStatus, 1);
   EXPECT_THAT(outcome.out, HasSubstr("DOES NOT HOLD"));
+  EXPECT_THAT(outcome.out, HasSubstr(" in [0, 0.5, 1, 1]"));
   EXPECT_EQ(outcome.errLines().size(), 1u) << outcome.err;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/lessons/lesson_pictures.h"
+#include "app/lessons/page_texts.h"
 #include "app/lessons/page_widgets.h"
 #include "filters/core/scene/lesson.h"
 
@@ -14,6 +15,8 @@ namespace boxprobe {
 
 class LessonPage {
  public:
+  explicit LessonPage(PageTexts say = {});
+
   /// A scene that lessons can be walked in (app/web/web_scene.h), as one JSON text, by the path that lessons name.
   void addScene(const std::string& path, const std::string& json);
   /// A loop of the lesson that is added next, and the bytes of its WebM file.
@@ -32,6 +35,7 @@ class LessonPage {
   std::string contents() const;
   std::string body() const;
 
+  PageTexts say_;
   std::vector<Section> sections_;
   std::string opening_, answers_, solutions_, loops_, sceneTexts_;
   std::vector<std::string> scenes_;  ///< their paths

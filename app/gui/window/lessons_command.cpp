@@ -13,12 +13,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "app/gui/lessons/lesson_loops.h"
 #include "app/gui/lessons/lesson_page.h"
 #include "app/gui/lessons/lesson_sheet.h"
 #include "app/gui/window/window_app.h"
 #include "app/lessons/lesson_language.h"
+#include "app/lessons/page_texts.h"
 #include "app/lessons/page_widgets.h"
 #include "app/session/display_check.h"
 #include "app/session/interrupt.h"
@@ -34,6 +36,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
 #include "filters/core/base/nearest_name.h"
+#include "filters/core/base/number_text.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/data_folder.h"
 #include "filters/io/files/read_file.h"
@@ -152,6 +155,7 @@ struct Output {
   }
   std::string path;
   bool page, sheet;
+  std::string language = "en";              ///< of the page's own words
   std::vector<LessonSymbol> notation = {};  ///< for a page
 };
 
@@ -217,11 +221,19 @@ void addLoops(LessonPage& page, const Lesson& lesson, const PageWidgets& widgets
   }
 }
 
+/// Nothing for the whole picture.
+std::string regionText(const PictureRegion& region) {
+  if (region == PictureRegion{0.0, 0.0, 1.0, 1.0}) return {};
+  std::string text;
+  for (const double edge : region) text += (text.empty() ? " in [" : ", ") + numberText(edge);
+  return text + "]";
+}
+
 /// Draws, writes and checks. Throws WorkError if a claim does not hold.
 void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& options, const Output& output,
              const PageWidgets& widgets) {
   const InterruptGuard interrupt;
-  LessonPage page;
+  LessonPage page(output.page ? PageTexts(options.folder, output.language) : PageTexts());
   if (output.page) addScenes(page, lessons, widgets, interrupt);
   LessonPhotographer photographer(
       kPictureWidth, kPictureHeight, [&] { return !interrupt.interrupted(); }, options.report.quiet);
@@ -233,18 +245,26 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
     const LessonPictures pictures =
         photographer.take(*lesson, plan != widgets.plans.end() ? std::optional(plan->second) : std::nullopt);
     interrupt.check();
-    std::vector<LessonPictures::Claim> measured = pictures.claims;
-    for (const auto& exercise : pictures.exercises) {
-      if (exercise) measured.push_back(*exercise);
+    // With the part of the picture that each was measured in.
+    std::vector<std::pair<LessonPictures::Claim, PictureRegion>> measured;
+    for (std::size_t i = 0; i < pictures.claims.size(); ++i) {
+      measured.emplace_back(pictures.claims[i], lesson->claims[i].condition.measure.region);
     }
-    for (const LessonPictures::Claim& claim : measured) {
+    for (std::size_t i = 0; i < pictures.exercises.size(); ++i) {
+      if (!pictures.exercises[i]) continue;
+      measured.emplace_back(*pictures.exercises[i], lesson->exercises[i].condition->measure.region);
+    }
+    for (const auto& [claim, region] : measured) {
       ++claims;
       broken += claim.holds ? 0 : 1;
-      report.push_back(
-          {{"lesson", lesson->name}, {"claim", claim.say}, {"measured", claim.measured}, {"holds", claim.holds}});
+      report.push_back({{"lesson", lesson->name},
+                        {"claim", claim.say},
+                        {"measured", claim.measured},
+                        {"region", region},
+                        {"holds", claim.holds}});
       if (options.report.json || options.report.quiet) continue;
       printResult(padded(lesson->name) + (claim.holds ? " holds: " : " DOES NOT HOLD: ") + claim.say + "\n  " +
-                  claim.measured + "\n");
+                  claim.measured + regionText(region) + "\n");
     }
     if (output.page) {
       addLoops(page, *lesson, widgets, options.folder);
@@ -325,6 +345,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
   }
   Output output(options);
   output.notation = list.notation;
+  output.language = list.language;
   const PageWidgets widgets = output.page ? loadPageWidgets(options.folder) : PageWidgets();
   if (!options.report.quiet) printWarnings(unmatchedWidgets(widgets, list.lessons));
   // Qt is here for its fonts: it needs no display, and what it remarks on its surroundings is not the user's business.

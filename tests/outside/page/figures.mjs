@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync } from 'node:fs';
 import path from 'node:path';
 import { BrowserPage, check, roomPsnr } from './browser_page.mjs';
+import { checkSketches } from './sketches.mjs';
 
 const [program, oracle, scenes, out, points = '120'] = process.argv.slice(2);
 mkdirSync(out, { recursive: true });
@@ -31,6 +32,8 @@ function seenInFloor(eye, position, room) {
   }
   return from.map((v, i) => v + nearest * along[i]);
 }
+
+await checkSketches(path.join(path.dirname(new URL(import.meta.url).pathname), '../../../data/web'), oracle, out);
 
 // A: the infinity slider.
 const page = await BrowserPage.open(made('floor-mirror'), { width: 1280, height: 900 });

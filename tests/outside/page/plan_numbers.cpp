@@ -1,7 +1,8 @@
 // The program's own numbers for the plan in the page of lessons: each line of the input holds P, N, the eye, C and the
 // box's corners (18 numbers); each line of the output t_x t_y t_z, d, R, H - C and the axis that wins, by the compiled
-// shader files.
+// shader files. usage: plan_numbers [RADIUS of the box's edges, 0]
 #include <array>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <limits>
@@ -9,7 +10,7 @@
 #include "filters/math/shared/shared_math.h"
 #include "filters/math/technique/technique_table.h"
 
-int main() {
+int main(int argc, char** argv) {
   using namespace boxprobe;
   const ProjectionRow& box = projectionRows()[static_cast<std::size_t>(parseTechnique("box")->projection)];
   std::cout.precision(std::numeric_limits<float>::max_digits10);
@@ -23,6 +24,7 @@ int main() {
     shading::ProbeShape shape{};
     shape.boxMin = glm::vec3(at(4) - origin);
     shape.boxMax = glm::vec3(at(5) - origin);
+    shape.bevel = argc > 1 ? std::strtof(argv[1], nullptr) : 0.0f;
     const glm::vec3 reflection = shading::reflectedView(normal, view);
     const shading::ProbeHit hit = box.project(shape, position, normal, reflection);
     for (const glm::vec3& value : {hit.slabFactors, glm::vec3(hit.distance), reflection, hit.direction}) {

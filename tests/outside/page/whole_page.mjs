@@ -27,6 +27,7 @@ check(found.lessons === files && found.broken === 0 && found.links === 0, `${fou
 check(await page.evaluate(`[...document.querySelectorAll('img')].every((image) => image.alt.includes(': ')) && new Set([...document.images].map((image) => image.alt)).size === document.images.length`), 'each picture has a text of its own');
 check(await page.evaluate(`[...document.querySelectorAll('main > section:not(.answers):not(.opening)')].every((lesson) => lesson.querySelector('h3 .minutes') && lesson.querySelector('.lesson-nav'))`), 'each lesson has its time and its neighbours');
 check(found.plans === Object.keys(widgets.plans).length && found.rooms === widgets.rooms.length, `${found.plans} plans and ${found.rooms} rooms`);
+check(await page.evaluate(`[...document.querySelectorAll('section:has(> .steps)')].every((lesson) => lesson.querySelector('.plan, .room-view, .figure-live'))`), 'each lesson has something to drag');
 // Charts are of the page's colours by day and by night: letters stand out from the ground.
 for (const scheme of ['light', 'dark']) {
   await page.media({ scheme });
