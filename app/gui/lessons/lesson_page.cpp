@@ -16,7 +16,6 @@
 #include "app/lessons/page_texts.h"
 #include "app/lessons/plan_figure.h"
 #include "app/web/web_source.h"
-#include "filters/core/base/version.h"
 
 namespace boxprobe {
 
