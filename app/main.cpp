@@ -48,6 +48,7 @@ int run(int& argc, char** argv) {
       .add_option("--stats", window.statsPath,
                   "When the window closes, write counters and times of what ran to this file")
       ->type_name("FILE.json");
+  addTuningOption(program);
   program.footer(
       "Examples:\n"
       "  boxprobe data/scenes/building.boxprobe.json\n"

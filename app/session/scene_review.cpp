@@ -12,6 +12,7 @@
 #include "filters/reference/bench/bench_surfaces.h"
 #include "filters/reference/path/reference_path.h"
 #include "filters/reference/trace/scene_tracer.h"
+#include "filters/vtk/gl/software_driver.h"
 
 namespace boxprobe {
 
@@ -111,7 +112,8 @@ class Reviewer {
     for (const auto& model : loaded_.models) review_.triangles += model->triangleCount();
     if (!drawAll() || !fitAll()) return std::nullopt;
     review_.scene = loaded_.scene;
-    review_.rendererName = shown_.renderer().rendererName();
+    review_.rendererName =
+        shown_.renderer().rendererName() + ", anisotropy " + std::to_string(static_cast<int>(textureAnisotropy()));
     for (const std::string& text : loaded_.warnings) review_.remarks.push_back(text);
     for (const std::string& text : shown_.renderer().remarks()) review_.remarks.push_back(text);
     return std::move(review_);

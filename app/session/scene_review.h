@@ -53,7 +53,7 @@ struct SceneReview {
   std::uint64_t faces = 0;  ///< captured
   /// Capturing and filtering of all of them, all threads; nothing where pages of several runs are to be the same.
   std::optional<double> captureCpuSeconds;
-  std::string rendererName;  ///< OpenGL's
+  std::string rendererName;  ///< OpenGL's, and the anisotropy of textures
   std::vector<std::string> remarks;
 
   /// The largest relative RMSE of a camera.

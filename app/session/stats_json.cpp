@@ -10,6 +10,7 @@
 #include "app/session/valid_json.h"
 #include "filters/io/image/image_pool.h"
 #include "filters/platform/process.h"
+#include "filters/vtk/gl/software_driver.h"
 
 namespace boxprobe {
 
@@ -36,6 +37,7 @@ RunStats collectStats(const SceneRenderer& renderer, vtkOpenGLRenderWindow* wind
   stats.probeBytes = renderer.probeMemoryBytes();
   stats.glRenderer = window->GetState()->GetRenderer();
   stats.glVersion = window->GetState()->GetVersion();
+  stats.anisotropy = static_cast<int>(textureAnisotropy());
   return stats;
 }
 
@@ -105,7 +107,7 @@ std::string statsJson(const RunStats& stats) {
   times["frameCpuSecondsMin"] = frames.empty() ? Json(nullptr) : Json(*std::min_element(frames.begin(), frames.end()));
   times["frames"] = frames.size();
   json["memoryBytes"] = {{"probes", stats.probeBytes}, {"peakResident", peakResidentBytes()}};
-  json["gl"] = {{"renderer", stats.glRenderer}, {"version", stats.glVersion}};
+  json["gl"] = {{"renderer", stats.glRenderer}, {"version", stats.glVersion}, {"anisotropy", stats.anisotropy}};
   return validJson(json);
 }
 

@@ -19,6 +19,7 @@ struct RunStats {
   std::vector<double> frameCpuSeconds;        ///< one entry a timed frame
   std::size_t probeBytes = 0;                 ///< textures of all probes, on the graphics side
   std::string glRenderer, glVersion;
+  int anisotropy = 1;  ///< of textures
 };
 
 /// What `renderer` counted, and the names of the OpenGL that drew in `window`, whose context must be current.

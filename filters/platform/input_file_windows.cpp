@@ -47,8 +47,7 @@ std::optional<FileStatus> fileStatus(const std::string& path) {
   return status;
 }
 
-InputFile::InputFile(const std::string& path)
-    : descriptor_(_wopen(wide(path).c_str(), _O_RDONLY | _O_BINARY | _O_NOINHERIT)) {}
+InputFile::InputFile(const std::string& path) : descriptor_(openShared(path, GENERIC_READ, OPEN_EXISTING, _O_RDONLY)) {}
 
 InputFile::~InputFile() {
   if (descriptor_ >= 0) _close(descriptor_);

@@ -1,7 +1,6 @@
 // See output_file.h.
 #include <fcntl.h>
 #include <io.h>
-#include <sys/stat.h>
 #include <windows.h>
 
 #include <algorithm>
@@ -23,8 +22,7 @@ bool done(BOOL result) {
 
 // Who may read a file follows from its folder, whatever `access` says: folders of users are their own.
 NewFile::NewFile(const std::string& path, Access)
-    : descriptor_(_wopen(wide(path).c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT,
-                         _S_IREAD | _S_IWRITE)) {}
+    : descriptor_(openShared(path, GENERIC_WRITE, CREATE_NEW, _O_WRONLY)) {}
 
 NewFile::~NewFile() {
   if (descriptor_ >= 0) _close(descriptor_);

@@ -1,9 +1,12 @@
 // See windows_text.h.
 #include "filters/platform/windows_text.h"
 
+#include <fcntl.h>
+#include <io.h>
 #include <windows.h>
 
 #include <cerrno>
+#include <cstdint>
 
 namespace boxprobe {
 
@@ -21,6 +24,19 @@ std::string narrow(const std::wstring& text) {
   std::string result(static_cast<std::size_t>(count), '\0');
   WideCharToMultiByte(CP_UTF8, 0, text.data(), size, result.data(), count, nullptr, nullptr);
   return result;
+}
+
+int openShared(const std::string& path, unsigned long access, unsigned long creation, int flags) {
+  constexpr DWORD kAll = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
+  const HANDLE handle =
+      CreateFileW(wide(path).c_str(), access, kAll, nullptr, creation, FILE_ATTRIBUTE_NORMAL, nullptr);
+  if (handle == INVALID_HANDLE_VALUE) {
+    setErrnoFromWindows();
+    return -1;
+  }
+  const int descriptor = _open_osfhandle(reinterpret_cast<std::intptr_t>(handle), flags | _O_BINARY | _O_NOINHERIT);
+  if (descriptor < 0) CloseHandle(handle);
+  return descriptor;
 }
 
 void setErrnoFromWindows() {

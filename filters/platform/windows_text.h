@@ -1,4 +1,4 @@
-// Text and reasons of errors between Windows and this program, whose text is UTF-8. For the Windows sides alone.
+// Text, files and reasons of errors between Windows and this program, whose text is UTF-8. For the Windows sides alone.
 #pragma once
 
 #include <string>
@@ -9,6 +9,11 @@ namespace boxprobe {
 std::wstring wide(const std::string& text);
 
 std::string narrow(const std::wstring& text);
+
+/// A file for the C library's functions, binary, not inherited; -1: errno says why not. Unlike its own files, others
+/// may rename, replace and remove it meanwhile, as on other systems. `access`, `creation`: CreateFileW's; `flags`:
+/// _O_RDONLY or _O_WRONLY.
+int openShared(const std::string& path, unsigned long access, unsigned long creation, int flags);
 
 /// The nearest value of errno for GetLastError(), so that callers on every system ask errno for the reason.
 void setErrnoFromWindows();

@@ -258,6 +258,9 @@ TEST_F(GlTrouble, EachStepGivesUpOneThingAndTheyEnd) {
 
 TEST_F(GlTrouble, TexturesWithoutWhichItIsAnotherMaterialStay) {
   SurfaceMaterial whole;
+  whole.finish.sheenColor = glm::vec3(0.3f);
+  whole.finish.anisotropy = 0.5f;
+  whole.tangents = true;
   const auto picture = std::make_shared<const SurfaceTexture>(TextureUse{}, false, nullptr);
   for (SurfaceSlot& slot : whole.slots) slot.texture = picture;
   std::shared_ptr<const SurfaceMaterial> at = std::make_shared<SurfaceMaterial>(whole);
@@ -271,6 +274,25 @@ TEST_F(GlTrouble, TexturesWithoutWhichItIsAnotherMaterialStay) {
                                       kSheenColorSlot, kIridescenceSlot}) {
     EXPECT_TRUE(at->slots[slot].texture) << slot;
   }
+}
+
+TEST_F(GlTrouble, TexturesThatAreNotSampledAreNotGivenUp) {
+  const auto picture = std::make_shared<const SurfaceTexture>(TextureUse{}, false, nullptr);
+  SurfaceMaterial glass;
+  glass.finish.sheenColor = glm::vec3(0.3f);
+  glass.glass.drawn = true;
+  glass.slots[kSheenRoughnessSlot].texture = glass.slots[kSpecularSlot].texture = picture;
+  EXPECT_EQ(withTextureLess(glass), nullptr) << "glass has no sheen";
+  glass.slots[kNormalSlot].texture = picture;
+  const auto less = withTextureLess(glass);
+  ASSERT_NE(less, nullptr);
+  EXPECT_FALSE(less->slots[kNormalSlot].texture);
+  SurfaceMaterial brushed;
+  brushed.finish.anisotropy = 0.5f;
+  brushed.slots[kAnisotropySlot].texture = picture;
+  EXPECT_EQ(withTextureLess(brushed), nullptr) << "without tangents nothing is brushed";
+  brushed.tangents = true;
+  EXPECT_NE(withTextureLess(brushed), nullptr);
 }
 
 TEST_F(GlTrouble, ADebugProgramThatIsRefusedHarmsNoPicture) {

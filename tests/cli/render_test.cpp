@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "app/cli/options/subcommand.h"
 #include "app/session/offscreen_choice.h"
 #include "filters/io/image/image_file.h"
 #include "filters/math/shared/display_math.h"
@@ -127,6 +128,27 @@ TEST_F(Render, WithoutADisplayEglDrawsTheSamePicture) {
       EXPECT_TRUE(readFile(path) == onX) << kind << " " << output;
     }
   }
+}
+
+TEST_F(Render, TheSamePictureHoweverTheRendererIsTuned) {
+  const auto drawn = [this](const char* kind) {
+    return loadImage8(render("room", std::string(kind) + ".png", {"--renderer-tuning", kind}));
+  };
+  const ImageRgba8 onCpu = drawn("cpu"), onCard = drawn("gpu");
+  ASSERT_EQ(onCpu.pixels.size(), onCard.pixels.size());
+  for (std::size_t i = 0; i < onCpu.pixels.size(); ++i) {
+    ASSERT_NEAR(int{onCpu.pixels[i]}, int{onCard.pixels[i]}, 1) << i;
+  }
+  CLI::App command;  // what it does, which pictures cannot tell
+  addTuningOption(command);
+  command.parse("--renderer-tuning gpu");
+  EXPECT_STREQ(std::getenv("BOXPROBE_RENDERER_TUNING"), "gpu");
+  ::unsetenv("BOXPROBE_RENDERER_TUNING");
+  const Outcome wrong =
+      runProgram({"render", demoScene("room"), "-o", folder.path("x.png"), "--renderer-tuning", "card"});
+  EXPECT_EQ(wrong.exitStatus, 2);
+  EXPECT_THAT(wrong.errLines(), SizeIs(1)) << wrong.err;
+  EXPECT_THAT(wrong.err, HasSubstr("--renderer-tuning"));
 }
 
 TEST_F(Render, AnOpenGlThatIsTooOldIsNamed) {
@@ -316,6 +338,7 @@ TEST_F(Render, StatsHaveTheDocumentedFields) {
   EXPECT_GT(stats["memoryBytes"]["peakResident"], stats["memoryBytes"]["probes"]);
   EXPECT_NE(stats["gl"]["renderer"], "");
   EXPECT_NE(stats["gl"]["version"], "");
+  EXPECT_EQ(stats["gl"]["anisotropy"], 1) << "on the CPU";
 }
 
 TEST_F(Render, EachBounceCapturesSixFaces) {

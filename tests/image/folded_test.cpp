@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "filters/platform/process.h"
 #include "filters/vtk/draw/constants.h"
 #include "filters/vtk/draw/program_cache.h"
 #include "filters/vtk/draw/surface_facts.h"
@@ -113,6 +114,23 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Folded, testing::ValuesIn(sceneNames()), [](con
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
+
+// The way of a graphics card, on a driver that draws on the CPU: no flat pictures of maps.
+TEST(RendererTuning, DrawsTheSameForCpuAndCard) {
+  ImageRgba8 pictures[2];
+  for (const bool card : {false, true}) {
+    setEnvironment("BOXPROBE_RENDERER_TUNING", card ? "gpu" : "cpu", true);
+    ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 96, 54);
+    picture.scene.probes.front().faceSize = 64;
+    picture.scene.probes.front().bounces = 1;
+    picture.show(picture.scene.cameras.front());
+    pictures[card ? 1 : 0] = draw(picture, false).picture;
+    EXPECT_EQ(picture.renderer->counters().mapsFlattened > 0, !card);
+    EXPECT_EQ(picture.renderer->error(), "");
+  }
+  ::unsetenv("BOXPROBE_RENDERER_TUNING");
+  EXPECT_LE(worst(pictures[0], pictures[1]), 1);
+}
 
 // Each edit leaves or restores what the program was made for; at its end everything is as it was.
 TEST(FoldedEdit, IsShownAtOnce) {

@@ -48,7 +48,7 @@ TEST_F(GpuPrefilter, LaysTheSourceOutFlatForFineLevelsAlone) {
   filter(capture, few);
   EXPECT_EQ(counters.sourcesFlattened, 0u);
   filter(capture, {});
-  EXPECT_EQ(counters.sourcesFlattened, drawsOnCpu() ? 1u : 0u);
+  EXPECT_EQ(counters.sourcesFlattened, tunedForCpu() ? 1u : 0u);
 }
 
 // The GPU's chain is of half floats, source levels included: each rounding is 2^-11 of a texel's own value, which for

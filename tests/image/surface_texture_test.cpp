@@ -1,6 +1,9 @@
 // How textures of materials are sampled on the driver at hand.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "filters/platform/process.h"
 #include "filters/vtk/draw/surface_material.h"
 #include "filters/vtk/gl/software_driver.h"
 #include "tests/support/gpu_window.h"
@@ -33,6 +36,20 @@ TEST(SurfaceTexture, SoftwareRenderersGetNoAnisotropicSampling) {
   EXPECT_EQ(drawsOnCpu(), software) << renderer;
   EXPECT_EQ(anisotropyOf(false), software ? 1.0f : 8.0f);
   EXPECT_EQ(anisotropyOf(true), 1.0f);
+}
+
+TEST(SurfaceTexture, AnisotropyAndTuningAreAskedFor) {
+  const auto window = test::makeWindow();
+  setEnvironment("BOXPROBE_ANISOTROPY", "4", true);
+  EXPECT_EQ(anisotropyOf(false), 4.0f);
+  EXPECT_EQ(anisotropyOf(true), 1.0f);
+  ::unsetenv("BOXPROBE_ANISOTROPY");
+  for (const char* kind : {"cpu", "gpu", "auto"}) {
+    setEnvironment("BOXPROBE_RENDERER_TUNING", kind, true);
+    const std::string asked = kind;
+    EXPECT_EQ(tunedForCpu(), asked == "cpu" || (asked == "auto" && drawsOnCpu())) << kind;
+  }
+  ::unsetenv("BOXPROBE_RENDERER_TUNING");
 }
 
 }  // namespace

@@ -27,6 +27,15 @@ DRAWN = [[], ["--technique", "impostor"], ["--technique", "raytraced"], ["--tech
          ["--technique", "hdrp"], ["--view", "all"], ["--refine=32"]]
 
 
+def captured_in(folder):
+    """(vertex, fragment, geometry) of each program that Mesa wrote to this folder."""
+    for file in folder.iterdir():
+        parts = re.split(r"^\[(.*?)\]\n", file.read_text(errors="replace"), flags=re.M)
+        shader = dict(zip(parts[1::2], parts[2::2]))
+        if "fragment shader" in shader and "vertex shader" in shader:
+            yield shader["vertex shader"], shader["fragment shader"], shader.get("geometry shader", "")
+
+
 def captured(program, scene, folder):
     """{hash: (vertex, fragment, how)} of all programs that this scene is drawn with."""
     found = {}
@@ -37,12 +46,7 @@ def captured(program, scene, folder):
             done = subprocess.run(command, env=environment, capture_output=True, text=True)
             if done.returncode != 0:
                 sys.exit(f"{scene.name} {' '.join(drawn)}: {done.stderr.strip().splitlines()[-1:]}")
-            for file in Path(into).iterdir():
-                parts = re.split(r"^\[(.*?)\]\n", file.read_text(errors="replace"), flags=re.M)
-                shader = dict(zip(parts[1::2], parts[2::2]))
-                if "fragment shader" not in shader or "vertex shader" not in shader:
-                    continue
-                pair = shader["vertex shader"], shader["fragment shader"], shader.get("geometry shader", "")
+            for pair in captured_in(Path(into)):
                 name = hashlib.sha256("\0".join(pair).encode()).hexdigest()[:12]
                 found.setdefault(name, (*pair, " ".join([scene.stem.split(".")[0], *drawn])))
     return found

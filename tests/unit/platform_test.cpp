@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -169,6 +170,29 @@ TEST_F(Platform, ANewFileIsNewAndReplacesAnother) {
   EXPECT_EQ(textOf(at("old")), "a\nb");
   EXPECT_TRUE(removeFile(at("old").c_str()));
   EXPECT_FALSE(removeFile(at("old").c_str()));
+}
+
+// A temporary file is renamed while it is open, and one that is read is replaced by whoever makes it anew.
+TEST_F(Platform, AnOpenFileIsRenamedReplacedAndRemoved) {
+  const std::string path = at("open");
+  NewFile file(path, Access::AsUsual);
+  EXPECT_TRUE(file.write("one", 3));
+  EXPECT_TRUE(replaceFile(path, at("moved"))) << errno;
+  EXPECT_TRUE(file.write("two", 3));
+  EXPECT_EQ(textOf(at("moved")), "onetwo");
+  InputFile input(at("moved"));
+  EXPECT_TRUE(removeFile(at("moved").c_str())) << errno;
+  char bytes[8] = {};
+  EXPECT_EQ(input.read(bytes, sizeof bytes), 6);
+}
+
+// By the program's manifest on Windows, by the locale's elsewhere.
+TEST_F(Platform, TextOfTheCLibraryIsUtf8) {
+  const std::string path = at("z\xc3\xbcrich");
+  writeFile(path, "here");
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  ASSERT_NE(file, nullptr);
+  std::fclose(file);
 }
 
 TEST_F(Platform, ANameIsStoredOnce) {

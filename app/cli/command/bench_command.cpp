@@ -147,6 +147,7 @@ void runBench(const BenchOptions& options) {
   result.machine = processorName();
   result.glRenderer = stats.glRenderer;
   result.glVersion = stats.glVersion;
+  result.anisotropy = stats.anisotropy;
   result.timedWidth = timed.width;
   result.timedHeight = timed.height;
   const std::string json = benchJson(result);
@@ -183,6 +184,7 @@ Subcommand addBenchCommand(CLI::App& program) {
             if (options->whole && !options->truthPath.empty()) {
               throw InputError("--whole is not for --truth: leave one of them out");
             }
+            measureWithoutAnisotropy();
             if (options->whole) return runWholeBench(*options);
             options->truthPath.empty() ? runBench(*options) : runTruthBench(*options);
           }};

@@ -148,6 +148,7 @@ void makeShare(const ReportCommandOptions& options, const ReviewSettings& settin
 }
 
 void runReport(const ReportCommandOptions& options) {
+  measureWithoutAnisotropy();
   useLargePages();
   requireExtension("-o", options.outputPath, {".html", ".htm"});
   const std::optional<double> limit = limitOf(options);

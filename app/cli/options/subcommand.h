@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/offscreen_choice.h"
+#include "filters/platform/process.h"
 
 namespace boxprobe {
 
@@ -47,6 +48,24 @@ inline void addReportOptions(CLI::App& command, ReportOptions& options, const st
   command.add_flag("--quiet", options.quiet, "Print errors only: no progress, warnings or summary");
 }
 
+/// For what draws. The environment hands it on to processes that this one starts.
+inline void addTuningOption(CLI::App& command) {
+  command
+      .add_option_function<std::string>(
+          "--renderer-tuning",
+          [](const std::string& value) { setEnvironment("BOXPROBE_RENDERER_TUNING", value.c_str(), true); },
+          "Draw in the way that is faster on a graphics card (gpu) or on the CPU (cpu), whatever the driver; the same "
+          "picture (default auto: by the driver's name)")
+      ->check(CLI::IsMember({"auto", "cpu", "gpu"}).description(""))
+      ->type_name("KIND");
+}
+
+/// Errors are measured with textures that are not sampled anisotropically: the same on every driver. Before any window;
+/// BOXPROBE_ANISOTROPY in the environment comes first.
+inline void measureWithoutAnisotropy() {
+  setEnvironment("BOXPROBE_ANISOTROPY", "1", false);
+}
+
 /// For sub-commands that draw.
 inline void addOffscreenOption(CLI::App& command, ReportOptions& options) {
   static const std::map<std::string, Offscreen> choices = {
@@ -56,6 +75,7 @@ inline void addOffscreenOption(CLI::App& command, ReportOptions& options) {
                   "What to draw with: auto (an X display if DISPLAY is set, else EGL), egl, osmesa or x")
       ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case).description(""))
       ->type_name("KIND");
+  addTuningOption(command);
 }
 
 }  // namespace boxprobe

@@ -113,7 +113,7 @@ void Viewport::initializeGL() {
   QVTKOpenGLNativeWidget::initializeGL();
   // Where the processor draws, four samples per pixel make a picture take three times as long: following the mouse
   // comes first there.
-  softwareRenderer_ = drawsOnCpu();
+  softwareRenderer_ = tunedForCpu();
   constexpr int kSamples = 4;
   window_->SetMultiSamples(softwareRenderer_ ? 0 : kSamples);
 }

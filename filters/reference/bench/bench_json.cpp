@@ -142,7 +142,11 @@ std::string benchJson(const BenchResult& result) {
   Json json = {
       {"scene", result.scene},
       {"complete", result.complete},
-      {"machine", {{"processor", result.machine}, {"glRenderer", result.glRenderer}, {"glVersion", result.glVersion}}},
+      {"machine",
+       {{"processor", result.machine},
+        {"glRenderer", result.glRenderer},
+        {"glVersion", result.glVersion},
+        {"anisotropy", result.anisotropy}}},
       {"pictures", {{"width", result.width}, {"height", result.height}}},
       {"frames", {{"width", result.timedWidth}, {"height", result.timedHeight}, {"camera", result.timedCamera}}},
       {"seed", result.seed},

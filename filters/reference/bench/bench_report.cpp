@@ -52,9 +52,9 @@ std::string measuredText(const BenchResult& result) {
       "probes, over what plain box projection adds.\n"
       "- **light**: mean over the reference's; **worst**: in the bucket of roughness and N.V that is most off.\n"
       "- Bold: on the front, no other technique is both cheaper and better. \\*: this project's own.\n\n";
-  text += formatted("Frames of %d x %d through camera %s. OpenGL: %s, %s. Processor: %s.\n", result.timedWidth,
-                    result.timedHeight, result.timedCamera.c_str(), result.glRenderer.c_str(), result.glVersion.c_str(),
-                    result.machine.c_str());
+  text += formatted("Frames of %d x %d through camera %s. OpenGL: %s, %s; anisotropy %d. Processor: %s.\n",
+                    result.timedWidth, result.timedHeight, result.timedCamera.c_str(), result.glRenderer.c_str(),
+                    result.glVersion.c_str(), result.anisotropy, result.machine.c_str());
   text += formatted("Standard error of the references, tone-mapped: box at most %.5f, scene at most %.5f.\n",
                     largestNoise(result, Truth::Box), largestNoise(result, Truth::Scene));
   text +=

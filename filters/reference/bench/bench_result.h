@@ -112,6 +112,7 @@ struct BenchSummary {
 struct BenchResult {
   std::string scene;
   std::string machine, glRenderer, glVersion;
+  int anisotropy = 1;                   ///< with which surfaces' textures were sampled
   int width = 0, height = 0;            ///< of the pictures in which errors are measured
   int timedWidth = 0, timedHeight = 0;  ///< of the timed frames
   std::string timedCamera;

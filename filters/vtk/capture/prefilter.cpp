@@ -56,7 +56,7 @@ void Prefilter::makeSourceLevels(const CubeTexture& source) {
 // have. The choice depends on the level alone, so that its texels are always bit-identical.
 bool Prefilter::flattened(const CubeTexture& source, std::size_t lookups) {
   const auto size = static_cast<std::size_t>(source.faceSize());
-  if (!drawsOnCpu() || !FlatTexture::fits(source) || lookups < 8 * 6 * size * size) return false;
+  if (!tunedForCpu() || !FlatTexture::fits(source) || lookups < 8 * 6 * size * size) return false;
   if (flatOf_ == source.handle()) return true;
   flat_.release();
   if (!flat_.make(source, flatBytes_)) return false;

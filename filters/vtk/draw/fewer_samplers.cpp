@@ -71,6 +71,14 @@ bool dropMovingShadows(ProbeBinding& binding) {
   return true;
 }
 
+// Giving up a texture that no program samples would gain nothing.
+bool isSampled(const SurfaceMaterial& surface, SurfaceSlotIndex slot) {
+  if (!surface.slots[slot].texture) return false;
+  if (slot == kAnisotropySlot) return surface.brushed();
+  const bool ofFinish = slot >= kSpecularSlot && slot <= kFilmThicknessSlot;
+  return !ofFinish || surface.finished();
+}
+
 void add(std::string& text, std::size_t count, const char* one, const char* many) {
   if (count == 0) return;
   text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : many);
@@ -95,7 +103,7 @@ std::shared_ptr<const SurfaceMaterial> withTextureLess(const SurfaceMaterial& su
       kFilmThicknessSlot, kSheenRoughnessSlot, kCoatNormalSlot, kCoatRoughnessSlot, kAnisotropySlot,
       kSpecularColorSlot, kSpecularSlot,       kThicknessSlot,  kOcclusionSlot,     kNormalSlot};
   for (const SurfaceSlotIndex slot : kLeastFirst) {
-    if (!surface.slots[slot].texture) continue;
+    if (!isSampled(surface, slot)) continue;
     auto less = std::make_shared<SurfaceMaterial>(surface);
     less->slots[slot] = {};
     return less;

@@ -83,7 +83,7 @@ bool MipLevels::ready() {
 }
 
 void MipLevels::make(GLuint texture, GLenum internalFormat, int width, int height) {
-  if (!drawsOnCpu() || !ready()) {
+  if (!tunedForCpu() || !ready()) {
     glGenerateMipmap(GL_TEXTURE_2D);
     return;
   }

@@ -1,5 +1,8 @@
 #include "filters/vtk/gl/software_driver.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
@@ -18,7 +21,16 @@ bool drawsOnCpu() {
   return false;
 }
 
+bool tunedForCpu() {
+  const char* text = std::getenv("BOXPROBE_RENDERER_TUNING");
+  const std::string asked = text != nullptr ? text : "";
+  return asked == "cpu" || (asked != "gpu" && drawsOnCpu());
+}
+
 float textureAnisotropy() {
+  if (const char* asked = std::getenv("BOXPROBE_ANISOTROPY")) {
+    return static_cast<float>(std::clamp(std::atoi(asked), 1, 16));
+  }
   constexpr float kOnCards = 8.0f, kNone = 1.0f;
   return rendererName().empty() || drawsOnCpu() ? kNone : kOnCards;
 }

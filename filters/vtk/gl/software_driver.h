@@ -1,4 +1,4 @@
-// Does the current OpenGL driver render on the CPU, and what is disabled then? Needs a current context.
+// Does the current OpenGL driver render on the CPU, and what is done or left out then? Needs a current context.
 #pragma once
 
 #include <string>
@@ -12,9 +12,15 @@ std::string rendererName();
 /// current context.
 bool drawsOnCpu();
 
-/// The value for GL_TEXTURE_MAX_ANISOTROPY_EXT: 8 on graphics cards, 1 (off) on software renderers and without a
-/// context. In llvmpipe, anisotropic sampling of a degenerate footprint, as in a triangle seen edge-on, took minutes
-/// for one frame.
+/// Is what is done for speed to suit the CPU (flat pictures of cubemaps, mip levels drawn, no multisampling in the
+/// window)? As drawsOnCpu() says, unless the environment variable BOXPROBE_RENDERER_TUNING is `cpu` or `gpu`. Pictures
+/// are the same either way to 1/255.
+bool tunedForCpu();
+
+/// The value for GL_TEXTURE_MAX_ANISOTROPY_EXT: what the environment variable BOXPROBE_ANISOTROPY says (1 to 16), else
+/// 8 on graphics cards, 1 (off) on software renderers and without a context. It changes pictures, so what measures
+/// accuracy sets and names it. In llvmpipe, anisotropic sampling of a degenerate footprint, as in a triangle seen
+/// edge-on, took minutes for one frame.
 float textureAnisotropy();
 
 }  // namespace boxprobe

@@ -77,7 +77,7 @@ ProgramTraits DriverTuning::choose(const TunedDraw& draw) {
 // needs none if no draw of the binding samples it.
 bool DriverTuning::makeFlatMaps(const ProbeBinding& binding) {
   DrawState& state = *with_.state;
-  if (!onCpu_) onCpu_ = drawsOnCpu();
+  if (!onCpu_) onCpu_ = tunedForCpu();
   if (!*onCpu_ || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
   std::vector<const ProbeMaps*> all;
   if (binding.sky || binding.open()) all.push_back(state.resources.sky.get());

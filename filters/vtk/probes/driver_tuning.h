@@ -72,7 +72,7 @@ class DriverTuning : public ProgramTuning {
   const ProbeContext& with_;
   ProgramCache cache_;
   TuningParts parts_ = kAllTuning;
-  std::optional<bool> onCpu_;  ///< does the driver render on the CPU? Determined in the first draw
+  std::optional<bool> onCpu_;  ///< tunedForCpu(), determined in the first draw
   std::shared_ptr<std::size_t> flatBytes_ = std::make_shared<std::size_t>(0);  ///< of all flat pictures
   bool editable_ = false, standInsAllowed_ = false, moving_ = false;
 
