@@ -35,9 +35,8 @@ struct ExplainedProbe {
   /// Used in place of the maps' coefficients, with the lamps below; null: the coefficients are used. Includes the sky
   /// through openings.
   std::shared_ptr<const DiffuseLattice> lattice = {};
-  std::vector<SceneLamp> lamps = {};  ///< drawn as shapes
-  /// Of each, what its shape gives: its radiance less what stands in its place in lattices and in maps without lamps.
-  std::vector<glm::vec3> lampDiffuse = {}, lampGlossy = {};
+  std::vector<SceneLamp> lamps = {};             ///< drawn as shapes
+  std::vector<glm::vec3> lampGlossy = {};        ///< of each, its radiance less what stands in its place in `lampFree`
   std::shared_ptr<const ProbeSight> sight = {};  ///< visibility of lamps and light sources; null: all visible
   std::vector<int> lampChannels = {};            ///< of each of `lamps` in `sight`
   /// Sampled by rough surfaces in place of `maps`: without those lamps, with the mean of the lamps' colours in alpha.

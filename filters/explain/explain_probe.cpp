@@ -90,7 +90,7 @@ DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& 
     const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
     const float seen = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
     const float filled = seen * shading::lampDiffuse(&polygon, positionFromEye, s.normalWorld);
-    if (filled > 0.0f) e.lamps.push_back({lamp.node, filled * probe.lampDiffuse[i], filled});
+    if (filled > 0.0f) e.lamps.push_back({lamp.node, filled * glm::vec3(lamp.radiance), filled});
   }
   const auto brightness = [](const LampAtPoint& lamp) { return lamp.light.x + lamp.light.y + lamp.light.z; };
   std::stable_sort(e.lamps.begin(), e.lamps.end(),

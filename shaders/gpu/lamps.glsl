@@ -4,7 +4,7 @@ uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform vec3 bpLampMiddle[BP_LAMPS];
 uniform vec4 bpLampPlane[BP_LAMPS];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
-uniform vec3 bpLampLight[BP_LAMPS];     // radiance, less what the lattices have in its place
+uniform vec3 bpLampLight[BP_LAMPS];     // radiance
 uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0: all is in slot 0 then
 uniform vec4 bpLampOf[BP_LAMPS];        // 1 for each of the draw's probes whose lamp it is
 #if BP_SIGHTS

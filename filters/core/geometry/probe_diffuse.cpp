@@ -2,8 +2,6 @@
 
 #include <glm/matrix.hpp>
 
-#include "filters/math/cube/lamp_free.h"
-
 namespace boxprobe {
 
 float seenAt(const ProbeSight* sight, int channel, const ProbeGeometry& probe, const glm::dvec3& position,
@@ -30,11 +28,8 @@ glm::vec3 diffuseAt(const ProbeDiffuse& diffuse, const ProbeGeometry& probe, con
     const SceneLamp& lamp = diffuse.lamps[i];
     const LampPolygon polygon = lampPolygon(lamp, position);
     const int channel = i < diffuse.lampChannels.size() ? diffuse.lampChannels[i] : kSeenByAll;
-    const std::vector<glm::vec3>& standIns = diffuse.lattice->standIns;
-    const glm::vec3 light =
-        withoutStandIn(glm::vec3(lamp.radiance), i < standIns.size() ? standIns[i] : glm::vec3(0.0f));
     sum += seenAt(diffuse.sight.get(), channel, probe, position, n) *
-           shading::lampDiffuse(&polygon, glm::vec3(0.0f), n) * light;
+           shading::lampDiffuse(&polygon, glm::vec3(0.0f), n) * glm::vec3(lamp.radiance);
   }
   return sum;
 }

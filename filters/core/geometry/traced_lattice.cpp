@@ -70,12 +70,10 @@ CubeMap withoutSky(const CubeMap& means, const LatticeSurroundings& in) {
   return plainMeans(surfaces);
 }
 
-// The drawn lamp, counted among them, that shines at a surface's point (world, so far off it at most) against the
-// direction.
-std::optional<std::size_t> lampAt(const LatticeSurroundings& in, const glm::dvec3& at, const glm::dvec3& direction,
-                                  double off) {
-  for (std::size_t k = 0; k < in.drawn.size(); ++k) {
-    const SceneLamp& lamp = in.lamps->lamps[in.drawn[k]];
+// Is a surface's point (world, so far off it at most) of a lamp that is drawn and shines against the direction?
+bool onLamp(const LatticeSurroundings& in, const glm::dvec3& at, const glm::dvec3& direction, double off) {
+  for (const std::size_t k : in.drawn) {
+    const SceneLamp& lamp = in.lamps->lamps[k];
     if (std::abs(glm::dot(at - lamp.middle, lamp.normal)) > off) continue;
     if (!lamp.bothSides && glm::dot(direction, lamp.normal) >= 0.0) continue;
     bool inside = true;
@@ -87,9 +85,9 @@ std::optional<std::size_t> lampAt(const LatticeSurroundings& in, const glm::dvec
     }
     // The polygon of a round lamp leaves some of its rim out.
     const bool round = lamp.corners.size() == shading::kLampCorners && glm::length(at - lamp.middle) <= farthest;
-    if (inside || round) return k;
+    if (inside || round) return true;
   }
-  return std::nullopt;
+  return false;
 }
 
 class NodeTracer {
@@ -107,9 +105,6 @@ class NodeTracer {
     high_ = base.high + inset;
     for (const std::size_t lamp : in.drawn) {
       polygons_.push_back(lampPolygon(in.lamps->lamps[lamp], in.originWorld));
-      const std::size_t k = polygons_.size() - 1;
-      const glm::vec3 standIn = k < base.standIns.size() ? base.standIns[k] : glm::vec3(0.0f);
-      standIns_.push_back(glm::min(standIn, glm::vec3(in.lamps->lamps[lamp].radiance)));
     }
     const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
     for (int i = 0; i < rays_; ++i) {
@@ -192,7 +187,7 @@ class NodeTracer {
     const glm::dvec3& direction = directions_[ray];
     const glm::dvec3 at = from + hit.distance * direction, off = at + margin_ * hit.normal, way = at - in_.originWorld;
     const double length = glm::length(way);
-    if (const auto lamp = lampAt(in_, at, direction, 0.1 * margin_)) return standIns_[*lamp];
+    if (onLamp(in_, at, direction, 0.1 * margin_)) return glm::vec3(0.0f);  // its shape gives it all
     if (length > 0.0 && glm::dot(way, hit.normal) < 0.0 && !in_.lines->blocked(in_.originWorld, off, true)) {
       const double towards = std::max(-glm::dot(hit.normal, direction), 0.05);
       const double seen = -glm::dot(hit.normal, way) / length, ratio = hit.distance / length;
@@ -229,8 +224,7 @@ class NodeTracer {
     return way / length;
   }
 
-  // Irradiance over pi of lamps and light sources at a place that the capture origin does not see, beside what the
-  // lattice has there.
+  // Irradiance over pi of lamps and light sources at a place that the capture origin does not see.
   glm::vec3 arriving(const glm::dvec3& at, const glm::dvec3& normal) const {
     const glm::vec3 n(normal), position(at - in_.originWorld);
     glm::vec3 sum(0.0f);
@@ -239,7 +233,7 @@ class NodeTracer {
       if (share <= 1.0e-6f) continue;
       const SceneLamp& lamp = in_.lamps->lamps[in_.drawn[i]];
       const glm::dvec3 to = lamp.middle + (at - lamp.middle) * 1.0e-3;
-      if (!in_.lines->blocked(at, to, true)) sum += share * (glm::vec3(lamp.radiance) - standIns_[i]);
+      if (!in_.lines->blocked(at, to, true)) sum += share * glm::vec3(lamp.radiance);
     }
     static const std::vector<Light> kNone;
     for (const Light& light : in_.lights ? *in_.lights : kNone) {
@@ -271,7 +265,6 @@ class NodeTracer {
   double margin_ = 0.0, far_ = 0.0, texelsPerRay_ = 1.0;
   glm::vec3 low_{0.0f}, high_{0.0f};    // of the box, probe frame
   std::vector<LampPolygon> polygons_;   // relative to the capture origin, world axes
-  std::vector<glm::vec3> standIns_;     // of each, not more than its radiance
   std::vector<glm::dvec3> directions_;  // world
   std::vector<std::array<float, 9>> basis_;
   std::vector<glm::vec3> sky_;  // along each direction; empty: the capture shows it
@@ -422,7 +415,7 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
       const glm::dvec3 fromWorld = in.originWorld + in.worldFromProbe * from, alongWorld = in.worldFromProbe * along;
       const auto hit = in.lines->first(fromWorld, alongWorld);
       if (hit && hit->back) continue;  // within something
-      if (hit && !lampAt(in, fromWorld + hit->distance * alongWorld, alongWorld, off)) {
+      if (hit && !onLamp(in, fromWorld + hit->distance * alongWorld, alongWorld, off)) {
         const auto light = static_cast<double>(hit->emitted.x + hit->emitted.y + hit->emitted.z);
         brightest = std::max(brightest, light);
         sum += light;

@@ -28,8 +28,8 @@ struct LatticeSurroundings {
 };
 
 /// `base`: the lattice by projection, whose nodes and format this has. What the capture origin sees of a ray's end is
-/// looked up in `means` (plainMeans() of the capture without lamps), less the sky beside it. A lamp that is drawn has
-/// what stands in its place there (DiffuseLattice::standIns). What the origin does not see shines, and scatters, by the
+/// looked up in `means` (plainMeans() of the capture without lamps), less the sky beside it. A lamp that is drawn is
+/// black. What the origin does not see shines, and scatters, by the
 /// mean albedo of its material, the light of lamps, light sources and suns that reach it and what the lattice itself
 /// has there: light goes from node to node until less than 0.2 % of it changes, at most 32 times; out of the box, under
 /// the sky, the sky's light. Nodes within things take the mean of their neighbours. Where surfaces stand between nodes,

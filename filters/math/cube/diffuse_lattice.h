@@ -35,8 +35,6 @@ struct DiffuseLattice : shading::LatticeSampler {
   /// where what cuts it begins; that times where it ends. Empty: all nodes see their neighbours.
   std::vector<glm::vec4> cuts;
   int cutWays = 0;  ///< ways between nodes that are cut, wholly or in part
-  /// Of each lamp that is drawn as a shape beside it: what the lattice has in its place (lampStandIns).
-  std::vector<glm::vec3> standIns;
 
   bool empty() const { return texels.empty(); }
   glm::vec4 fetchLattice(const glm::vec3& place, int part) const override;

@@ -4,7 +4,6 @@
 #include <glm/matrix.hpp>
 
 #include "filters/math/cube/lamp_free.h"
-#include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/maps/lamp_free_maps.h"
 
 namespace boxprobe {
@@ -32,27 +31,20 @@ void makeLampFree(const DrawState& state, const ProbeBinding& binding) {
   }
 }
 
-LampLight lampLight(const DrawState& state, const ProbeBinding& binding, std::size_t lamp) {
-  const glm::vec3 radiance(state.resources.lamps->lamps[lamp].radiance);
-  struct Mean {
-    void add(const std::vector<glm::vec3>& standIns, std::size_t k) {
-      if (k >= standIns.size()) return;
-      sum += standIns[k];
-      ++count;
-    }
-    glm::vec3 get() const { return count > 0 ? sum / static_cast<float>(count) : glm::vec3(0.0f); }
-    glm::vec3 sum{0.0f};
-    int count = 0;
-  } diffuse, glossy;
-  for (std::size_t i = 0; i < binding.probes.size() && !state.pass().firstBounce; ++i) {
+glm::vec3 lampReflected(const DrawState& state, const ProbeBinding& binding, std::size_t lamp) {
+  glm::vec3 sum(0.0f);
+  float count = 0.0f;
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
     const DrawnProbe& probe = *binding.probes[i];
+    if (!binding.lampFree(i) || !probe.maps || !probe.maps->lampFree.maps) continue;
+    const std::vector<glm::vec3>& standIns = probe.maps->lampFree.standIns;
     const auto found = std::find(probe.lamps.begin(), probe.lamps.end(), lamp);
-    if (found == probe.lamps.end() || !probe.maps) continue;
     const auto k = static_cast<std::size_t>(found - probe.lamps.begin());
-    if (const auto lattice = binding.diffuse ? probeLattice(state, probe) : nullptr) diffuse.add(lattice->standIns, k);
-    if (binding.lampFree(i) && probe.maps->lampFree.maps) glossy.add(probe.maps->lampFree.standIns, k);
+    if (k >= standIns.size()) continue;
+    sum += standIns[k];
+    count += 1.0f;
   }
-  return {withoutStandIn(radiance, diffuse.get()), withoutStandIn(radiance, glossy.get())};
+  return withoutStandIn(glm::vec3(state.resources.lamps->lamps[lamp].radiance), sum / std::max(count, 1.0f));
 }
 
 }  // namespace boxprobe

@@ -10,11 +10,8 @@ namespace boxprobe {
 /// Makes them with the levels that the binding needs. If memory is short, the probe's own map is sampled.
 void makeLampFree(const DrawState& state, const ProbeBinding& binding);
 
-/// A lamp's radiance, less what stands in its place in the lattices of the binding's probes and in their maps without
-/// lamps, which its shape would be added to: the mean over the probes.
-struct LampLight {
-  glm::vec3 diffuse{0.0f}, glossy{0.0f};
-};
-LampLight lampLight(const DrawState& state, const ProbeBinding& binding, std::size_t lamp);
+/// What a lamp's shape gives in reflections: its radiance, less what stands in its place in the maps without lamps of
+/// the binding's probes, to which it is added, the mean over the probes.
+glm::vec3 lampReflected(const DrawState& state, const ProbeBinding& binding, std::size_t lamp);
 
 }  // namespace boxprobe

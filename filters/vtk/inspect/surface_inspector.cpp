@@ -229,9 +229,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     if (probe.lattice || probe.lampFree != nullptr) {
       for (const std::size_t lamp : drawn.lamps) {
         probe.lamps.push_back(content_->lamps->lamps[lamp]);
-        const LampLight light = lampLight(*state_, binding, lamp);
-        probe.lampDiffuse.push_back(light.diffuse);
-        probe.lampGlossy.push_back(light.glossy);
+        probe.lampGlossy.push_back(lampReflected(*state_, binding, lamp));
         if (drawn.sight) probe.lampChannels.push_back(drawn.sight->channelOfLamp(lamp));
       }
     }

@@ -62,9 +62,8 @@ struct LatticeWork {
     const CubeMap capture = latticeCapture(radiance);
     const CubeMap sky = source.sky ? plainMeans(*source.sky) : CubeMap();
     const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));
-    DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe, settings,
-                                                  source.sky ? &sky : nullptr);
-    projected.standIns = lampStandIns(means, source.lamps);
+    const DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe,
+                                                        settings, source.sky ? &sky : nullptr);
     auto lattice = std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
     countLattice(*lattice, processCpuSeconds() - start);
     return lattice;

@@ -249,9 +249,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
     middle[k] = shading::lampMiddle(&polygon);
     plane[k] = shading::lampPlane(&polygon);
-    const LampLight shines = lampLight(state, binding, drawn[k]);
-    light[k] = shines.diffuse;
-    glossy[k] = shines.glossy;
+    light[k] = glm::vec3(lamp.radiance);
+    if (binding.lampLobes) glossy[k] = lampReflected(state, binding, drawn[k]);
     slots[k] = lampOf[drawn[k]];
     channels[k] = lampChannels(state.pass(), binding, drawn[k]);
   }
@@ -259,9 +258,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   if (binding.lampLobes) {
     const auto lampsEnd = glossy.begin() + static_cast<long>(drawn.size());
     const auto hue = [](const glm::vec3& l) { return l / std::max(l.x + l.y + l.z, 1.0e-30f); };
-    const bool several = std::any_of(glossy.begin(), lampsEnd, [&](const glm::vec3& l) {
-      return glm::length(hue(l) - hue(glossy[0])) > 1.0e-3f;
-    });
+    const bool several = std::any_of(
+        glossy.begin(), lampsEnd, [&](const glm::vec3& l) { return glm::length(hue(l) - hue(glossy[0])) > 1.0e-3f; });
     vectors("bpLampGlossy", glossy.data(), used);
     to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
     to.program->SetUniformi("bpLobeCount", state.pass().capture ? 0 : static_cast<int>(drawn.size()));
