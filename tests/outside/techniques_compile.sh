@@ -18,11 +18,13 @@ for projection in normal infinite sphere box; do
       [[ -z $bevel ]] || options+=(--set "probes.room.bevel=$bevel" --set 'probes.room.occlusion={"multiplier":1,"power":1,"strength":0.5}')
       "$program" export "$scene" -o technique.glsl --shader glsl "${options[@]}"
       "$program" export "$scene" -o technique.hlsl --shader hlsl "${options[@]}"
-      main='uniform samplerCube probeMap; in vec3 p, n, v; out vec4 color;
-        void main() { color = boxprobeReflection(probeMap, boxprobe_room(), p, n, v, 0.4); }'
+      main='uniform samplerCube probeMap; uniform sampler3D nodes; in vec3 p, n, v; out vec4 color;
+        void main() { color = boxprobeReflection(probeMap, boxprobe_room(), p, n, v, 0.4);
+          for (int i = 0; i < kBoxprobeLamps; ++i) color.rgb += boxprobeLampDiffuse(boxprobeLamp(i), p, n);
+          color.rgb += boxprobeLattice(nodes, boxprobe_room(), vec3(5.0, 4.0, 6.0), vec3(-2.0), vec3(3.0), true, p, n); }'
       printf '#version 330\n%s\n%s\n' "$(<technique.glsl)" "$main" >desktop.frag
-      printf '#version 300 es\nprecision highp float; precision highp int; precision highp samplerCube;\n%s\n%s\n' "$(<technique.glsl)" "$main" >es.frag
-      printf '%s\nTextureCube probeMap;\nfloat4 main(float3 p : P, float3 n : N, float3 v : V) : SV_Target\n{ return boxprobeReflection(probeMap, boxprobe_room(), p, n, v, 0.4f); }\n' "$(<technique.hlsl)" >technique_main.hlsl
+      printf '#version 300 es\nprecision highp float; precision highp int; precision highp samplerCube; precision highp sampler3D;\n%s\n%s\n' "$(<technique.glsl)" "$main" >es.frag
+      printf '%s\nTextureCube probeMap;\nTexture3D nodes;\nfloat4 main(float3 p : P, float3 n : N, float3 v : V) : SV_Target\n{ float3 lit = boxprobeLampDiffuse(boxprobeLamp(0), p, n) + boxprobeLattice(nodes, boxprobe_room(), float3(5, 4, 6), float3(-2, -2, -2), float3(3, 3, 3), true, p, n);\n  return boxprobeReflection(probeMap, boxprobe_room(), p, n, v, 0.4f) + float4(lit, 0); }\n' "$(<technique.hlsl)" >technique_main.hlsl
       glslangValidator desktop.frag es.frag >log || { echo "$id: not GLSL"; cat log; exit 1; }
       glslangValidator -D -V -e main -S frag technique_main.hlsl -o technique.spv >log || { echo "$id: not HLSL"; cat log; exit 1; }
       spirv-cross technique.spv --hlsl --shader-model 50 >again.hlsl || { echo "$id: spirv-cross refuses it"; exit 1; }

@@ -223,4 +223,20 @@ TEST(TechniqueText, WhatAFunctionAloneCannotDoIsRefused) {
 }
 
 }  // namespace
+TEST(TechniqueText, HasLatticesAndTheLampsThatThereAre) {
+  const Probe probe = capture().probe;
+  SceneLamp lamp;
+  lamp.corners = {{1.5, 2.25, -0.5}, {2.5, 2.25, -0.5}, {2.0, 2.25, 0.75}};
+  lamp.radiance = {7.5, 6.0, 3.0};
+  for (const auto& [language, signature] : kLanguages) {
+    const std::string dark = techniqueText({probe}, "box", language, "Boxprobe test");
+    EXPECT_THAT(dark, AllOf(HasSubstr(" boxprobeLattice("), Not(HasSubstr("boxprobeLampDiffuse"))));
+    const std::string text = techniqueText({probe}, "box", language, "Boxprobe test", {lamp});
+    EXPECT_THAT(text, AllOf(HasSubstr(" boxprobeLampDiffuse("), HasSubstr("kBoxprobeLamps = 1;")));
+    EXPECT_THAT(text,
+                AllOf(HasSubstr("(1.5f, 2.25f, -0.5f);"), HasSubstr("(7.5f, 6.0f, 3.0f);"), HasSubstr("count = 3;")));
+    EXPECT_THAT(text, AllOf(Not(HasSubstr("\n#")), Not(HasSubstr("LAMP_SLOT")), Not(HasSubstr("LATTICE_SLOT"))));
+  }
+}
+
 }  // namespace boxprobe

@@ -71,12 +71,15 @@ void finish(const ExportOptions& options, const std::vector<std::string>& files,
   }
 }
 
-void runShader(const ExportOptions& options, const Scene& scene, const std::vector<std::string>& names) {
+void runShader(const ExportOptions& options, const LoadedScene& loaded, const std::vector<std::string>& names) {
+  const Scene& scene = loaded.scene;
   std::vector<Probe> probes;
   for (const std::string& name : names) probes.push_back(scene.probes[*findProbe(scene, name)]);
   const std::string technique = options.technique.empty() ? probes.front().technique : options.technique;
+  std::vector<SceneLamp> lamps;
+  if (scene.lamps == LampForm::Shapes) lamps = sceneLamps(scene, loaded.models).lamps;
   writeTextAtomically(options.output,
-                      techniqueText(probes, technique, shaderLanguages().at(options.shader), kProgramName));
+                      techniqueText(probes, technique, shaderLanguages().at(options.shader), kProgramName, lamps));
   finish(options, {options.output}, {});
 }
 
@@ -209,7 +212,7 @@ void exportOnce(ExportRun& run) {
     if (options.settings.faceSize != 0) probe.faceSize = std::max(probe.faceSize, options.settings.faceSize);
     if ((shader || glb) && options.settings.faceSize != 0) probe.faceSize = options.settings.faceSize;
   }
-  if (shader) return runShader(options, loaded.scene, names);
+  if (shader) return runShader(options, loaded, names);
   if (!glb || glbPath(options) != options.output) requireOutputFolder("-o", options.output);
   if (!options.report.quiet) {
     printWarnings(loaded.warnings);

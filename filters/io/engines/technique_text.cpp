@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "filters/core/base/errors.h"
-#include "filters/core/base/number_text.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/io/engines/export_names.h"
+#include "filters/io/engines/light_text.h"
+#include "filters/io/engines/shader_literals.h"
 #include "filters/math/cube/cube_filter.h"
 #include "filters/math/shared/shader_source.h"
 #include "filters/math/technique/technique_table.h"
@@ -67,16 +68,6 @@ std::string withoutDirectives(const std::string& text, Words defined) {
     }
   }
   return withWords(kept, defined);
-}
-
-std::string number(double value) {
-  std::string result = numberText(static_cast<float>(value));
-  if (result.find_first_of(".e") == std::string::npos) result += ".0";
-  return result + "f";
-}
-
-std::string vector(const glm::dvec3& v) {
-  return "vec3(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
 }
 
 /// What a technique needs besides a cubemap; null: nothing.
@@ -193,17 +184,18 @@ std::string shapeFunction(const Probe& probe, const std::string& stem, const Cho
   text.erase(std::remove_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(3 + probe.name.size()),
                             [](unsigned char c) { return c < 0x20; }),
              text.begin() + static_cast<std::ptrdiff_t>(3 + probe.name.size()));
-  text += set("origin", vector(g.originWorld)) + set("axisX", vector(g.worldFromProbe[0])) +
-          set("axisY", vector(g.worldFromProbe[1])) + set("axisZ", vector(g.worldFromProbe[2])) +
-          set("bevelAndIntensity", vector({g.bevelRadius, g.bevelFromRoughness, g.intensity})) +
-          set("occlusion", vector(g.occlusion)) + set("shape.boxMin", vector(g.boxMin)) +
-          set("shape.boxMax", vector(g.boxMax)) + set("shape.maxLevel", number(prefilterLevels(probe.faceSize) - 1)) +
+  text += set("origin", shaderVector(g.originWorld)) + set("axisX", shaderVector(g.worldFromProbe[0])) +
+          set("axisY", shaderVector(g.worldFromProbe[1])) + set("axisZ", shaderVector(g.worldFromProbe[2])) +
+          set("bevelAndIntensity", shaderVector({g.bevelRadius, g.bevelFromRoughness, g.intensity})) +
+          set("occlusion", shaderVector(g.occlusion)) + set("shape.boxMin", shaderVector(g.boxMin)) +
+          set("shape.boxMax", shaderVector(g.boxMax)) +
+          set("shape.maxLevel", shaderNumber(prefilterLevels(probe.faceSize) - 1)) +
           set("shape.projection", std::to_string(chosen.technique.projection)) + set("shape.bevel", "0.0f") +
           set("shape.slot", "0");
   for (const ParameterRow& row : parameterRows()) {
     const std::string field = "shape.parameters." + std::string(row.name);
     if (row.choice != nullptr) text += set(field, std::to_string(g.parameters.*row.choice));
-    if (row.number != nullptr) text += set(field, number(g.parameters.*row.number));
+    if (row.number != nullptr) text += set(field, shaderNumber(g.parameters.*row.number));
   }
   return text + "  return boxprobe;\n}\n\n";
 }
@@ -211,6 +203,8 @@ std::string shapeFunction(const Probe& probe, const std::string& stem, const Cho
 /// Single-argument constructors, which HLSL lacks, and multi-argument ones of the same name.
 const char* const kHlslConstructors =
     "SamplerState boxprobeSampler;  // trilinear, bound by the host\n\n"
+    "float2 boxprobe2(float a) { return float2(a, a); }\n"
+    "float2 boxprobe2(float a, float b) { return float2(a, b); }\n"
     "float3 boxprobe3(float a) { return float3(a, a, a); }\n"
     "float3 boxprobe3(float a, float b, float c) { return float3(a, b, c); }\n"
     "float4 boxprobe4(float a) { return float4(a, a, a, a); }\n"
@@ -221,15 +215,19 @@ std::string inHlsl(const std::string& text) {
                                         {"vec3", "float3"},
                                         {"vec4", "float4"},
                                         {"ivec2", "int2"},
+                                        {"vec2(", "boxprobe2"},
                                         {"vec3(", "boxprobe3"},
                                         {"vec4(", "boxprobe4"},
                                         {"mix", "lerp"},
                                         {"samplerCube", "TextureCube"},
+                                        {"sampler3D", "Texture3D"},
                                         {"point", "surfacePoint"},   // reserved word
                                         {"linear", "linearTerm"}});  // reserved word
-  const std::string fetch = "textureLod(map, ", sampled = "map.SampleLevel(boxprobeSampler, ";
-  for (std::size_t at = 0; (at = result.find(fetch, at)) != std::string::npos;)
-    result.replace(at, fetch.size(), sampled);
+  for (const std::string texture : {"map", "nodes"}) {
+    const std::string fetch = "textureLod(" + texture + ", ", sampled = texture + ".SampleLevel(boxprobeSampler, ";
+    for (std::size_t at = 0; (at = result.find(fetch, at)) != std::string::npos;)
+      result.replace(at, fetch.size(), sampled);
+  }
   for (std::size_t at = 0; (at = result.find("\nconst ", at)) != std::string::npos; at += 7) {
     result.replace(at, 7, "\nstatic const ");
   }
@@ -239,12 +237,12 @@ std::string inHlsl(const std::string& text) {
 }  // namespace
 
 std::string techniqueText(const std::vector<Probe>& probes, const std::string& technique, ShaderLanguage language,
-                          const std::string& writer) {
+                          const std::string& writer, const std::vector<SceneLamp>& lamps) {
   const Chosen chosen = chosenTechnique(technique);
   const bool bevelled = std::any_of(probes.begin(), probes.end(), [](const Probe& p) { return p.bevel.has_value(); });
   const bool occluded =
       std::any_of(probes.begin(), probes.end(), [](const Probe& p) { return p.occlusion.has_value(); });
-  Words defined = {{"PROBE_MAP", "samplerCube"}};
+  Words defined = {{"PROBE_MAP", "samplerCube"}, {"LAMP_SLOT", "BoxprobeLamp"}};
   if (bevelled) defined["BP_BEVEL"] = "";
   std::string text;
   for (const auto& [name, piece] : sources(chosen, bevelled, occluded)) text += piece;
@@ -253,6 +251,7 @@ std::string techniqueText(const std::vector<Probe>& probes, const std::string& t
   for (const Probe& probe : probes) names.push_back(probe.name);
   const std::vector<std::string> stems = exportStems(names);
   for (std::size_t i = 0; i < probes.size(); ++i) text += shapeFunction(probes[i], stems[i], chosen);
+  text += lightText(lamps);
   text = withoutDirectives(text, defined);
   if (language == ShaderLanguage::Hlsl) text = inHlsl(text);
   return "// Technique " + techniqueId(chosen.technique) + " of " + writer + ", BSD-3-Clause.\n\n" + text;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/scene/scene.h"
 
 namespace boxprobe {
@@ -18,10 +19,10 @@ enum class ShaderLanguage {
 
 /// Functions and constants without main, uniforms or preprocessor directives: `boxprobeReflection(map, shape, position,
 /// normal, view, roughness)` returns what the probe reflects (premultiplied radiance, coverage), and one function per
-/// probe returns its shape. World space, scene units; the cubemap is one of `--ladder own`. `technique`: id, for every
-/// probe. Throws InputError for techniques that need further textures of the program.
+/// probe returns its shape; with lightText() of the lamps. World space, scene units; the cubemap is one of `--ladder
+/// own`. `technique`: id, for every probe. Throws InputError for techniques that need further textures of the program.
 std::string techniqueText(const std::vector<Probe>& probes, const std::string& technique, ShaderLanguage language,
-                          const std::string& writer);
+                          const std::string& writer, const std::vector<SceneLamp>& lamps = {});
 
 /// Every technique that needs only a cubemap, for a host that assembles programs at run time: named pieces of GLSL, and
 /// for each technique its pieces in order. The host must define PROBE_MAP as samplerCube and, with `bevelled`,
