@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "filters/io/engines/technique_text.h"
 #include "filters/math/shared/lamp_math.h"
 #include "filters/math/shared/shader_source.h"
 #include "tests/support/gpu_window.h"
@@ -192,6 +193,70 @@ TEST(LampParity, LatticesShineTheSame) {
   }
   std::printf("  worst difference %.2g\n", static_cast<double>(worst));
   EXPECT_LT(worst, 1.0e-5f);
+}
+
+// The text that other programs get, against the integral over the lamps' area.
+TEST(LampParity, ExportedLampsGiveTheLightOfTheirArea) {
+  const auto window = test::makeWindow();
+  std::vector<SceneLamp> lamps(2);
+  lamps[0].corners = {{1.2, 2.3, -0.6}, {2.1, 2.3, -0.4}, {1.9, 2.3, 0.7}, {1.1, 2.3, 0.5}};
+  lamps[0].radiance = {7.0, 4.0, 2.0};
+  lamps[1].corners = {{-1.7, 0.4, 0.9}, {-1.5, 1.3, 0.2}, {-1.6, 0.6, -0.5}};
+  lamps[1].radiance = {0.5, 3.0, 6.0};
+  lamps[1].bothSides = true;
+  Probe probe;
+  probe.name = "p";
+  const std::string code = techniqueText({probe}, "box", ShaderLanguage::Glsl, "test", lamps);
+  std::mt19937 random(23);
+  std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+  std::vector<std::vector<vec4>> in(2);
+  for (int i = 0; i < 512; ++i) {
+    in[0].emplace_back(2.5f * any(random), 0.8f * any(random), 1.7f * any(random), 0.0f);
+    in[1].emplace_back(glm::normalize(vec3(any(random), any(random), any(random))), 0.0f);
+  }
+  const auto gpu = test::evaluateOnGpu(
+      window, code,
+      "  vec3 sum = vec3(0.0);\n"
+      "  for (int i = 0; i < kBoxprobeLamps; ++i) { sum += boxprobeLampDiffuse(boxprobeLamp(i), in0.xyz, in1.xyz); }\n"
+      "  out0 = vec4(sum, 0.0);\n",
+      in, 1);
+  double nearest = 0.0;
+  const auto lightAt = [&](const glm::dvec3& at, const glm::dvec3& n) {
+    glm::dvec3 sum(0.0);
+    nearest = 1.0e9;
+    for (const SceneLamp& lamp : lamps) {
+      for (std::size_t t = 1; t + 1 < lamp.corners.size(); ++t) {
+        const glm::dvec3 u = lamp.corners[t] - lamp.corners[0], w = lamp.corners[t + 1] - lamp.corners[0];
+        const glm::dvec3 area = glm::cross(u, w);  // twice the triangle's
+        constexpr int kSteps = 300;
+        for (int k = 0; k < kSteps * kSteps; ++k) {
+          double a = (k % kSteps + 0.5) / kSteps, b = (k / kSteps + 0.5) / kSteps;
+          if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
+          const glm::dvec3 way = lamp.corners[0] + a * u + b * w - at;
+          const double d2 = glm::dot(way, way);
+          nearest = std::min(nearest, std::sqrt(d2));
+          double facing = -glm::dot(way, area);
+          if (lamp.bothSides) facing = std::abs(facing);
+          const double cosine = glm::dot(way, n);
+          if (facing <= 0.0 || cosine <= 0.0) continue;
+          sum += 0.5 / (kSteps * kSteps) * cosine * facing / (d2 * d2 * 3.14159265358979) * lamp.radiance;
+        }
+      }
+    }
+    return sum;
+  };
+  double worst = 0.0, most = 0.0;
+  for (std::size_t i = 0; i < in[0].size(); i += 4) {
+    const glm::dvec3 truth = lightAt(glm::dvec3(vec3(in[0][i])), glm::dvec3(vec3(in[1][i])));
+    if (nearest < 0.2) continue;  // too coarse an integral
+    for (int c = 0; c < 3; ++c) {
+      worst = std::max(worst, std::abs(static_cast<double>(gpu[0][i][c]) - truth[c]));
+      most = std::max(most, truth[c]);
+    }
+  }
+  std::printf("  worst %.6f of light up to %.3f\n", worst, most);
+  EXPECT_LT(worst, 2.0e-3 * most);
+  EXPECT_GT(most, 0.3);
 }
 
 }  // namespace
