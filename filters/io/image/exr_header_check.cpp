@@ -31,8 +31,9 @@ struct PartSize {
 
 /// Upper bounds of each compression's ratio, in the order of OpenEXR's enumeration: runs of 128 in 2 bytes; deflate's
 /// 1032, of floats cut to 24 bits; Huffman with runs of 256 16-bit values in 10 bits; blocks of 16 halves in 3 bytes.
-/// DWA stores little more than a block's header: the offset table bounds it.
-constexpr std::array<long long, 10> kMostFromAByte = {1, 64, 1032, 1032, 512, 1376, 11, 11, 0, 0};
+/// DWA at least a half of each 64 values, which deflate makes smaller.
+constexpr long long kDwa = 64 * 4 / 2 * 1032;
+constexpr std::array<long long, 10> kMostFromAByte = {1, 64, 1032, 1032, 512, 1376, 11, 11, kDwa, kDwa};
 
 /// Sizes of the fixed-size types: the library reads that many bytes whatever the attribute says, and would then be out
 /// of step with this reader. 0: another type.
