@@ -118,6 +118,34 @@ TEST(SightPicture, AShelfShadesTheFloor) {
   EXPECT_GT(worst, 0.6);  // what it mends
 }
 
+// The underside of the shelf, which no capture sees, lights the floor below it by the colour and the light that it has
+// now. Nothing of what is seen is traced again for that.
+TEST(SightPicture, ColoursThatNoCaptureSeesAreFollowed) {
+  const dvec3 below = kPoints[1];
+  const auto edit = [](Scene& s, const vec3& color, const vec3& emissive) {
+    s.materials["shelf"].baseColor = glm::vec4(color, 1.0f);
+    s.materials["shelf"].emissive = emissive;
+  };
+  SightWorld world(scene(), room());
+  world.show();
+  dvec3 before = seen(world, below);
+  for (const auto& [color, emissive] :
+       {std::pair{vec3(0.9f, 0.2f, 0.4f), vec3(0.0f)}, std::pair{vec3(0.9f, 0.2f, 0.4f), vec3(0.3f, 0.7f, 0.2f)},
+        std::pair{vec3(0.1f, 0.8f, 0.4f), vec3(0.1f, 0.2f, 0.5f)}}) {
+    world.editAndFinish([&, c = color, e = emissive](Scene& s) { edit(s, c, e); });
+    Scene changed = scene();
+    edit(changed, color, emissive);
+    SightWorld fresh(changed, room());
+    fresh.show();
+    const dvec3 edited = seen(world, below), started = seen(fresh, below);
+    std::printf("  before %.4f %.4f %.4f, edited %.4f %.4f %.4f, fresh %.4f %.4f %.4f\n", before.x, before.y, before.z,
+                edited.x, edited.y, edited.z, started.x, started.y, started.z);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(edited[c], started[c], 1.0e-3 * started[c]) << c;
+    EXPECT_GT(glm::length(started - before), 0.01 * glm::length(before));
+    before = edited;
+  }
+}
+
 // What is moved throws its shadow where it is now; what is marked as moving throws none; a lamp's colour alone is no
 // reason to trace again.
 TEST(SightPicture, EditsAreFollowed) {

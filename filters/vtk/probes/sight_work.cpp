@@ -47,6 +47,8 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
     for (auto& task : tasks) task.reset();
   }
   const bool same = surroundings == surroundings_;
+  // Colours change what a lattice's rays bring from where they end, but nothing of what is seen.
+  const bool sameLooks = !any || scene.materials == looks_;
   std::vector<Known> known(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     Known& now = known[i];
@@ -67,7 +69,7 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
       now.sight = known_[i].sight;
     }
   }
-  const bool unchanged = same && known.size() == known_.size() &&
+  const bool unchanged = same && sameLooks && known.size() == known_.size() &&
                          std::equal(known.begin(), known.end(), known_.begin(), [](const Known& a, const Known& b) {
                            return a.task == b.task && a.current == b.current;
                          });
@@ -75,20 +77,26 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
   known_ = std::move(known);
   cancel();
   if (!same) lines_.reset();
+  if (any) looks_ = scene.materials;
+  otherLooks_ = lines_ && (otherLooks_ || !sameLooks);
   surroundings_ = std::move(surroundings);
   open_ = false;
   maker_ = lines;
   const bool left = std::any_of(known_.begin(), known_.end(), [](const Known& k) { return !k.current; });
-  scene_ = left && !lines_ ? std::make_shared<const Scene>(scene) : nullptr;
+  scene_ = (left && !lines_) || otherLooks_ ? std::make_shared<const Scene>(scene) : nullptr;
 }
 
 bool SightWork::anyOpen() const {
   return std::any_of(known_.begin(), known_.end(), [](const Known& known) { return known.open(); });
 }
 
+bool SightWork::anyWanted() const {
+  return std::any_of(known_.begin(), known_.end(), [](const Known& known) { return known.wanted && known.task; });
+}
+
 void SightWork::want(const std::vector<bool>& tasks) {
   for (std::size_t i = 0; i < known_.size(); ++i) known_[i].wanted = i < tasks.size() && tasks[i];
-  open_ = anyOpen();
+  open_ = anyOpen() || (otherLooks_ && anyWanted());
 }
 
 SightWork::~SightWork() {
@@ -142,9 +150,9 @@ void SightWork::start() {
     traced_.push_back(known.open());
     tasks.push_back(known.open() ? known.task : std::nullopt);
   }
-  running_ =
-      std::async(std::launch::async, [tasks = std::move(tasks), scene = scene_, models = surroundings_.models,
-                                      maker = maker_, lines = lines_, cancelled = cancelled_, settings = settings()] {
+  running_ = std::async(
+      std::launch::async, [tasks = std::move(tasks), scene = scene_, models = surroundings_.models, maker = maker_,
+                           lines = otherLooks_ ? nullptr : lines_, cancelled = cancelled_, settings = settings()] {
         Done done{lines, {}};
         done.sights.resize(tasks.size());
         if (!done.lines) done.lines = maker(*scene, models);
@@ -176,6 +184,7 @@ bool SightWork::proceed(std::chrono::milliseconds wait) {
     known_[i].current = known_[i].current || traced_[i];
   }
   open_ = anyOpen();
+  otherLooks_ = false;
   const Done done = running_.get();
   lines_ = done.lines;
   made_.clear();

@@ -79,11 +79,14 @@ class SightWork {
 
   void start();
   bool anyOpen() const;
+  bool anyWanted() const;
   SightSettings settings() const;
 
   std::vector<Known> known_;  ///< of each task
   Surroundings surroundings_;
-  std::shared_ptr<const Scene> scene_;  ///< null once there are lines, or nothing to trace
+  std::map<std::string, MaterialOverride> looks_;  ///< what rays say of the surfaces that they meet depends on these
+  bool otherLooks_ = false;                        ///< lines_ says what surfaces looked like before
+  std::shared_ptr<const Scene> scene_;             ///< null once there are lines of it, or nothing to trace
   SightLinesMaker maker_;
   std::shared_ptr<const SightLines> lines_;  ///< of the surroundings; null: not built yet
   bool held_ = false, open_ = false;
