@@ -29,7 +29,7 @@ export function drawnByPage(page, config, files, modules, seconds = 240) {
       server.closeAllConnections();
       if (browser) browser.kill('SIGKILL');
       setTimeout(() => {
-        rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+        rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 250 });
         error ? reject(error) : resolve(result);
       }, 300);
     };

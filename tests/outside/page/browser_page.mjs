@@ -156,7 +156,7 @@ export class BrowserPage {
     // Its children end a little later, and write until then.
     for (let tries = 0; ; ++tries) {
       try {
-        return rmSync(this.profile, { recursive: true, force: true });
+        return rmSync(this.profile, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
       } catch (error) {
         if (tries > 50) throw error;
         await new Promise((resolve) => setTimeout(resolve, 100));

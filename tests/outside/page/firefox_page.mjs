@@ -151,7 +151,7 @@ export class FirefoxPage {
     this.socket.destroy();
     for (let tries = 0; ; ++tries) {
       try {
-        return rmSync(this.profile, { recursive: true, force: true });
+        return rmSync(this.profile, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
       } catch (error) {
         if (tries > 50) throw error;
         await wait(100);
