@@ -30,7 +30,7 @@ struct Held {
 
 const std::map<std::string, Held>& bounds() {
   static const std::map<std::string, Held> kBounds = {
-      {"closed across", {{0.08, 0.03}, {0.08, 0.03}}},     {"closed corner", {{0.08, 0.03}, {0.09, 0.035}}},
+      {"closed across", {{0.08, 0.03}, {0.08, 0.03}}},     {"closed corner", {{0.08, 0.03}, {0.09, 0.03}}},
       {"furniture shelves", {{0.08, 0.03}, {0.11, 0.03}}}, {"furniture mirror", {{0.08, 0.03}, {0.09, 0.03}}},
       {"doorway lit", {{0.10, 0.05}, {0.10, 0.05}}},       {"doorway dark", {{0.25, 0.05}, {0.20, 0.05}}},
       {"window patch", {{0.20, 0.05}, {0.10, 0.05}}},      {"window below", {{0.20, 0.05}, {0.10, 0.05}}},
