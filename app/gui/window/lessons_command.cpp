@@ -180,8 +180,8 @@ void addScenes(LessonPage& page, const std::vector<const Lesson*>& lessons, cons
     wishes.quiet = true;
     for (const Probe& probe : loaded.scene.probes) wishes.probes.push_back(probe.name);
     const CapturedProbes captured = captureProbes(loaded, wishes, interrupt);
-    page.addScene(lesson->scene, withinOneText(webScene(loaded.scene, loaded.models, captured.captures, kRoomFaceSize,
-                                                        kProgramName)));
+    page.addScene(lesson->scene,
+                  withinOneText(webScene(loaded.scene, loaded.models, captured.captures, kRoomFaceSize, kProgramName)));
   }
 }
 

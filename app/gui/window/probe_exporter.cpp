@@ -1,5 +1,4 @@
 #include "app/gui/window/probe_exporter.h"
-#include "app/session/program_name.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/session/program_name.h"
 #include "filters/core/scene/document.h"
 #include "filters/io/engines/engine_files.h"
 #include "filters/vtk/scene_renderer.h"
