@@ -189,7 +189,7 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
         const float share = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
         const glm::vec2 lit = share * shading::lampGlossy(&polygon, position, lobe);
         e.lampsF0 += lit.x * probe.lampGlossy[i];
-        e.lampsF90 += lit.y * probe.lampGlossy[i];
+        e.lampsF90 += lit.y * glm::vec3(lamp.radiance);
       }
     }
     if (probe.open && sky != nullptr) {

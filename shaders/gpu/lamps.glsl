@@ -111,6 +111,7 @@ vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 
 #if BP_LAMP_LOBES
 // Reflected by F0, and by what a surface reflects at a flat angle; and what the map shows of them.
+// What the map has in a lamp's place is taken off the first alone: of the second it is reflected by the mean of the lobe, which is less.
 void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, float roughness)
 {
   vec4 shares = vec4(0.0f);
@@ -130,7 +131,7 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
       close += waits ? 1 << lamp : 0;
       vec2 lit = waits ? vec2(0.0f) : weight * glance.light;
       light.lampsF0 += lit.x * bpLampGlossy[lamp];
-      light.lampsF90 += lit.y * bpLampGlossy[lamp];
+      light.lampsF90 += lit.y * bpLampLight[lamp];
       left &= left - 1;
     } while (left != 0);
     if (close != 0)
@@ -140,7 +141,7 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
         int lamp = bpFirstLamp(close);
         vec2 lit = bpLampWeight(lamp, shares) * lampGlossyNear(lamp, position, lobe);
         light.lampsF0 += lit.x * bpLampGlossy[lamp];
-        light.lampsF90 += lit.y * bpLampGlossy[lamp];
+        light.lampsF90 += lit.y * bpLampLight[lamp];
         close &= close - 1;
       } while (close != 0);
     }
