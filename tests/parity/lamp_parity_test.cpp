@@ -8,6 +8,7 @@
 #include <random>
 
 #include "filters/io/engines/technique_text.h"
+#include "filters/math/cube/diffuse_lattice.h"
 #include "filters/math/shared/lamp_math.h"
 #include "filters/math/shared/shader_source.h"
 #include "tests/support/gpu_window.h"
@@ -257,6 +258,88 @@ TEST(LampParity, ExportedLampsGiveTheLightOfTheirArea) {
   std::printf("  worst %.6f of light up to %.3f\n", worst, most);
   EXPECT_LT(worst, 2.0e-3 * most);
   EXPECT_GT(most, 0.3);
+}
+
+// The number in a texel's colour: of node (x, y, z), z counted on through the parts.
+float texelOf(int x, int y, int z, int color, int partAt) {
+  const int k = (7 * x + 13 * y + 29 * z + 5 * color) % 17;
+  if (partAt < DiffuseLattice::kParts) return static_cast<float>(k) / 17.0f;
+  const float cut = static_cast<float>((7 * x + 13 * y + 29 * z) % 17) / 17.0f;
+  return color == 0 ? cut : color == 1 ? 0.3f * cut : color == 2 ? 0.6f * cut : 0.0f;
+}
+
+// A lattice looked up by the exported text is the one that is drawn here, with and without ways that are cut.
+TEST(LampParity, ExportedLatticesAreLookedUpTheSame) {
+  const auto window = test::makeWindow();
+  const vec3 low(-1.2f, -0.4f, -0.9f), high(0.7f, 1.3f, 1.6f);
+  const glm::ivec3 n(3, 4, 5);
+  Probe probe;
+  probe.name = "p";
+  std::string code = techniqueText({probe}, "box", ShaderLanguage::Glsl, "test");
+  // The texture is a formula here, blended by hand.
+  const std::string sampled = "textureLod(nodes, ";
+  const std::size_t at = code.find(sampled);
+  ASSERT_NE(at, std::string::npos);
+  code.replace(at, sampled.size(), "formula(");
+  code =
+      "float colorOf(ivec3 p, int color)\n{\n"
+      "  int k = (7 * p.x + 13 * p.y + 29 * p.z + 5 * color) % 17;\n"
+      "  if (p.z < 35) { return float(k) / 17.0; }\n"
+      "  float cut = float((7 * p.x + 13 * p.y + 29 * p.z) % 17) / 17.0;\n"
+      "  return color == 0 ? cut : color == 1 ? 0.3 * cut : color == 2 ? 0.6 * cut : 0.0;\n}\n"
+      "int gParts;\n"
+      "vec4 formula(vec3 uv, float level)\n{\n"
+      "  ivec3 size = ivec3(3, 4, 5 * gParts);\n"
+      "  vec3 texel = uv * vec3(size) - 0.5, t = texel - floor(texel);\n  vec4 sum = vec4(0.0);\n"
+      "  for (int i = 0; i < 8; ++i)\n  {\n    ivec3 step = ivec3(i & 1, i >> 1 & 1, i >> 2);\n"
+      "    vec3 w = mix(1.0 - t, t, vec3(step));\n"
+      "    ivec3 p = clamp(ivec3(floor(texel)) + step, ivec3(0), size - 1);\n"
+      "    sum += w.x * w.y * w.z * vec4(colorOf(p, 0), colorOf(p, 1), colorOf(p, 2), colorOf(p, 3));\n  }\n"
+      "  return sum;\n}\nuniform sampler3D unbound;\n" +
+      code;
+  DiffuseLattice lattice;
+  lattice.nodes = n;
+  lattice.low = low;
+  lattice.high = high;
+  for (int part = 0; part < DiffuseLattice::kParts + DiffuseLattice::kCutParts; ++part) {
+    for (int node = 0; node < n.x * n.y * n.z; ++node) {
+      const int x = node % n.x, y = node / n.x % n.y, z = node / (n.x * n.y) + n.z * part;
+      vec4 texel;
+      for (int c = 0; c < 4; ++c) texel[c] = texelOf(x, y, z, c, part);
+      (part < DiffuseLattice::kParts ? lattice.texels : lattice.cuts).push_back(texel);
+    }
+  }
+  std::mt19937 random(31);
+  std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+  std::vector<std::vector<vec4>> in(2);
+  for (int i = 0; i < 512; ++i) {
+    in[0].emplace_back(1.5f * any(random), 1.3f * any(random), 1.9f * any(random), 0.0f);
+    in[1].emplace_back(glm::normalize(vec3(any(random), any(random), any(random))), 0.0f);
+  }
+  for (const bool cuts : {true, false}) {
+    const std::string parts = cuts ? "10" : "7", is = cuts ? "true" : "false";
+    const auto gpu =
+        test::evaluateOnGpu(window, code,
+                            "  gParts = " + parts +
+                                ";\n  out0 = vec4(boxprobeLattice(unbound, boxprobe_p(), vec3(3.0, 4.0, 5.0), "
+                                "vec3(-1.2, -0.4, -0.9), vec3(0.7, 1.3, 1.6), " +
+                                is + ", in0.xyz, in1.xyz), 0.0);\n",
+                            in, 1);
+    if (!cuts) lattice.cuts.clear();
+    float worst = 0.0f, most = 0.0f;
+    for (std::size_t i = 0; i < in[0].size(); ++i) {
+      const vec3 normal(in[1][i]);
+      const vec3 here = shading::latticeIrradiance(lattice.shape(), vec3(in[0][i]), normal, normal);
+      for (int c = 0; c < 3; ++c) {
+        worst = std::max(worst, std::abs(gpu[0][i][c] - here[c]));
+        most = std::max(most, here[c]);
+      }
+    }
+    std::printf("  %s cut ways: worst %.6f of light up to %.3f\n", cuts ? "with" : "without",
+                static_cast<double>(worst), static_cast<double>(most));
+    EXPECT_LT(worst, 1.0e-4f * most);
+    EXPECT_GT(most, 0.5f);
+  }
 }
 
 }  // namespace

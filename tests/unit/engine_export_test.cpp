@@ -222,7 +222,6 @@ TEST(TechniqueText, WhatAFunctionAloneCannotDoIsRefused) {
   EXPECT_THAT(errorText([&] { techniqueText({own}, "godot", ShaderLanguage::Glsl, ""); }), HasSubstr("fresnel"));
 }
 
-}  // namespace
 TEST(TechniqueText, HasLatticesAndTheLampsThatThereAre) {
   const Probe probe = capture().probe;
   SceneLamp lamp;
@@ -239,4 +238,5 @@ TEST(TechniqueText, HasLatticesAndTheLampsThatThereAre) {
   }
 }
 
+}  // namespace
 }  // namespace boxprobe

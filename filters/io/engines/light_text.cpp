@@ -30,42 +30,14 @@ std::string latticeText() {
                                  std::pair{"(lattice, ", "(nodes, lattice, "}}) {
     text = replaced(std::move(text), from, to);
   }
-  return source("shared/lattice_types.glsl") + source("shared/sh.glsl") +
-         "vec4 fetchLattice(sampler3D nodes, LatticeShape lattice, vec3 place, int part)\n{\n"
-         "  vec3 count = lattice.last + vec3(1.0f);\n"
-         "  float parts = lattice.cut > 0.0f ? 10.0f : 7.0f;\n"
-         "  vec3 at = place + vec3(0.5f) + vec3(0.0f, 0.0f, count.z * float(part));\n"
-         "  return textureLod(nodes, at / vec3(count.x, count.y, count.z * parts), 0.0f);\n}\n\n" +
-         text +
-         "// Irradiance over pi at a surface, without lamps: from a lattice of BOXPROBE_reflection_probes in a .glb. "
-         "`nodes`: its texels, and\n// those of its `cuts` if it has any, one after another along z, linear and "
-         "clamped "
-         "to the edge; `count`, `low`, `high`: its\n// `nodes`, `min` and `max`. World space; the normal unit.\n"
-         "vec3 boxprobeLattice(sampler3D nodes, BoxprobeProbe boxprobe, vec3 count, vec3 low, vec3 high, bool cuts, "
-         "vec3 "
-         "position,\n                     vec3 normal)\n{\n"
-         "  LatticeShape lattice;\n  lattice.low = low;\n  lattice.last = count - vec3(1.0f);\n"
-         "  lattice.perUnit = lattice.last / max(high - low, vec3(1.0e-30f));\n  lattice.cut = cuts ? 1.0f : 0.0f;\n"
-         "  lattice.slot = 0;\n"
-         "  return latticeIrradiance(nodes, lattice, boxprobeTurned(boxprobe, position - boxprobe.origin),\n"
-         "                           boxprobeTurned(boxprobe, normal), normal);\n}\n\n";
+  return source("shared/lattice_types.glsl") + source("shared/sh.glsl") + source("exported/fetch_lattice.glsl") + text +
+         source("exported/lattice.glsl");
 }
 
+/// All of these languages read plane.xyz, GLSL alone vec3(plane).
 std::string lampFunctions() {
-  return source("shared/lamp_types.glsl") +
-         "// A lamp of the scene: a flat convex polygon that shines evenly. World space, scene units.\n"
-         "struct BoxprobeLamp\n{\n  vec3 corners[kLampCorners];  // counterclockwise as the shining side is seen\n"
-         "  int count;                   // of them\n  bool bothSides;\n  vec3 radiance;\n};\n\n" +
-         source("shared/lamp_plane.glsl") +
-         "int lampCornerCount(BoxprobeLamp lamp)\n{\n  return lamp.count;\n}\n\n"
-         "vec3 lampCorner(BoxprobeLamp lamp, int i)\n{\n  return lamp.corners[i];\n}\n\n"
-         "vec4 lampPlane(BoxprobeLamp lamp)\n{\n"
-         "  return lampPlaneThrough(lamp.corners[0], lamp.corners[1], lamp.corners[2]);\n}\n\n"
-         "bool lampShinesBothSides(BoxprobeLamp lamp)\n{\n  return lamp.bothSides;\n}\n\n" +
-         replaced(source("shared/lamp.glsl"), "vec3(plane)", "plane.xyz") +
-         "// Irradiance over pi of a lamp at a surface that sees all of it. World space; the normal unit.\n"
-         "vec3 boxprobeLampDiffuse(BoxprobeLamp lamp, vec3 position, vec3 normal)\n{\n"
-         "  return lampDiffuse(lamp, position, normal) * lamp.radiance;\n}\n\n";
+  return source("shared/lamp_types.glsl") + source("shared/lamp_plane.glsl") + source("exported/lamp.glsl") +
+         replaced(source("shared/lamp.glsl"), "vec3(plane)", "plane.xyz") + source("exported/lamp_light.glsl");
 }
 
 std::string lampOf(const SceneLamp& lamp, std::size_t number) {
