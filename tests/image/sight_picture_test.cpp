@@ -123,7 +123,7 @@ TEST(SightPicture, AShelfShadesTheFloor) {
 TEST(SightPicture, ColoursThatNoCaptureSeesAreFollowed) {
   const dvec3 below = kPoints[1];
   const auto edit = [](Scene& s, const vec3& color, const vec3& emissive) {
-    s.materials["shelf"].baseColor = glm::vec4(color, 1.0f);
+    s.materials["shelf"].baseColor = color;
     s.materials["shelf"].emissive = emissive;
   };
   SightWorld world(scene(), room());

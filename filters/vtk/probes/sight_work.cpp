@@ -31,6 +31,7 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
       ObjectOverride placed;
       placed.visible = object.visible;
       placed.dynamic = object.dynamic;
+      placed.seenByProbes = object.seenByProbes;
       placed.translation = object.translation;
       placed.rotationDegrees = object.rotationDegrees;
       if (!(placed == ObjectOverride{})) surroundings.objects.emplace(node, placed);
@@ -48,7 +49,8 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
   }
   const bool same = surroundings == surroundings_;
   // Colours change what a lattice's rays bring from where they end, but nothing of what is seen.
-  const bool sameLooks = !any || scene.materials == looks_;
+  Looks looks = any ? looksOf(scene) : looks_;
+  const bool sameLooks = looks == looks_;
   std::vector<Known> known(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     Known& now = known[i];
@@ -77,13 +79,21 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
   known_ = std::move(known);
   cancel();
   if (!same) lines_.reset();
-  if (any) looks_ = scene.materials;
+  looks_ = std::move(looks);
   otherLooks_ = lines_ && (otherLooks_ || !sameLooks);
   surroundings_ = std::move(surroundings);
   open_ = false;
   maker_ = lines;
   const bool left = std::any_of(known_.begin(), known_.end(), [](const Known& k) { return !k.current; });
   scene_ = (left && !lines_) || otherLooks_ ? std::make_shared<const Scene>(scene) : nullptr;
+}
+
+SightWork::Looks SightWork::looksOf(const Scene& scene) {
+  Looks looks;
+  for (const auto& [name, material] : scene.materials) {
+    if (material.baseColor || material.emissive) looks[name] = {material.baseColor, material.emissive};
+  }
+  return looks;
 }
 
 bool SightWork::anyOpen() const {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "filters/core/geometry/lamp_sight.h"
@@ -65,6 +66,9 @@ class SightWork {
       return models == o.models && files == o.files && objects == o.objects && shining == o.shining;
     }
   };
+  // What rays say of the surfaces that they meet depends on these overrides, by material: base colour and emission.
+  using Looks = std::map<std::string, std::pair<std::optional<glm::vec3>, std::optional<glm::vec3>>>;
+  static Looks looksOf(const Scene& scene);
   struct Known {
     std::optional<SightTask> task;
     std::shared_ptr<const ProbeSight> sight;
@@ -84,9 +88,9 @@ class SightWork {
 
   std::vector<Known> known_;  ///< of each task
   Surroundings surroundings_;
-  std::map<std::string, MaterialOverride> looks_;  ///< what rays say of the surfaces that they meet depends on these
-  bool otherLooks_ = false;                        ///< lines_ says what surfaces looked like before
-  std::shared_ptr<const Scene> scene_;             ///< null once there are lines of it, or nothing to trace
+  Looks looks_;
+  bool otherLooks_ = false;             ///< lines_ says what surfaces looked like before
+  std::shared_ptr<const Scene> scene_;  ///< null once there are lines of it, or nothing to trace
   SightLinesMaker maker_;
   std::shared_ptr<const SightLines> lines_;  ///< of the surroundings; null: not built yet
   bool held_ = false, open_ = false;
