@@ -76,8 +76,16 @@ void runShader(const ExportOptions& options, const LoadedScene& loaded, const st
   std::vector<Probe> probes;
   for (const std::string& name : names) probes.push_back(scene.probes[*findProbe(scene, name)]);
   const std::string technique = options.technique.empty() ? probes.front().technique : options.technique;
+  // The lamps that lattices leave out, which are the probes' own: any other's light is in the nodes.
   std::vector<SceneLamp> lamps;
-  if (scene.lamps == LampForm::Shapes) lamps = sceneLamps(scene, loaded.models).lamps;
+  if (scene.lamps == LampForm::Shapes) {
+    const SceneLamps all = sceneLamps(scene, loaded.models);
+    std::set<std::size_t> own;
+    for (const Probe& probe : probes) {
+      for (const std::size_t lamp : probeLamps(all.lamps, probe)) own.insert(lamp);
+    }
+    for (const std::size_t lamp : own) lamps.push_back(all.lamps[lamp]);
+  }
   writeTextAtomically(options.output,
                       techniqueText(probes, technique, shaderLanguages().at(options.shader), kProgramName, lamps));
   finish(options, {options.output}, {});
@@ -198,13 +206,27 @@ void exportGlb(ExportRun& run, LoadedScene& loaded, const std::vector<std::strin
   finish(options, {path}, run.glb->stats());
 }
 
+/// Remembers what was read, or asked for where that failed.
+LoadedScene loadFollowed(ExportRun& run) {
+  const ExportOptions& options = run.options;
+  const FilesAsked asked;
+  try {
+    LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, run.interrupt, options.report.quiet);
+    run.read = filesOf(options.scenePath, loaded.scene, asked.names());
+    return loaded;
+  } catch (const Error&) {
+    for (const std::string& name : asked.names()) {
+      if (std::find(run.read.begin(), run.read.end(), name) == run.read.end()) run.read.push_back(name);
+    }
+    throw;
+  }
+}
+
 void exportOnce(ExportRun& run) {
   ExportOptions options = run.options;
   const bool shader = !options.shader.empty(), web = !shader && options.settings.format == kWebFormat;
   const bool glb = !shader && options.settings.format == kGlbFormat;
-  const FilesAsked asked;
-  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, run.interrupt, options.report.quiet);
-  run.read = filesOf(options.scenePath, loaded.scene, asked.names());
+  LoadedScene loaded = loadFollowed(run);
   const std::vector<std::string> names = probesToExport(loaded.scene, options.probes);
   // A size above the capture's is captured; one below is averaged from it, and a baked file serves.
   for (const std::string& name : names) {
@@ -253,7 +275,9 @@ void watch(ExportRun& run) {
       writeRevision(output, ++run.revision);
       run.exported = true;
       known = stampsOf(run.read);
-      for (const auto& [path, stamp] : now) known[path] = stamp;  // what changed meanwhile is exported once more
+      for (const auto& [path, stamp] : now) {
+        if (known.count(path) != 0) known[path] = stamp;  // what changed meanwhile is exported once more
+      }
     } catch (const Error& error) {
       if (run.interrupt.interrupted()) break;
       if (!run.exported) throw;  // the scene has never been right
