@@ -29,7 +29,8 @@ struct PlacedMesh {
   const Material* material = nullptr;  ///< null: the default material
   glm::dmat4 worldFromMesh{1.0};
   bool unlit = false, calledSky = false;
-  Box bounds;  ///< world
+  bool lightsProbes = true;  ///< what probes do not see gives them no light of its own
+  Box bounds;                ///< world
 };
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -115,7 +116,9 @@ std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Mod
           mesh.material < 0 ? nullptr : &models[i]->materials[static_cast<std::size_t>(mesh.material)];
       const bool unlit = material != nullptr && material->unlit;
       const bool calledSky = namesSky(instance.node) || (material != nullptr && namesSky(material->name));
-      placed.push_back({&mesh, material, worldFromMesh, unlit, calledSky, worldBounds(mesh, worldFromMesh)});
+      const bool lightsProbes = object == scene.objects.end() || object->second.seenByProbes;
+      placed.push_back(
+          {&mesh, material, worldFromMesh, unlit, calledSky, lightsProbes, worldBounds(mesh, worldFromMesh)});
     }
   }
   leaveOutSkyDomes(placed);
@@ -203,8 +206,8 @@ struct TriangleRays::Structure {
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
-  /// All meshes as one geometry, with positions relative to `anchor`. Triangles of a mirrored instance are flipped, as
-  /// glTF requires. Embree's builder for many geometries aborts the program if all of them are flat.
+  /// All meshes as one geometry, with positions relative to `anchor`. The reader has turned over the triangles of a
+  /// mirrored instance. Embree's builder for many geometries aborts the program if all of them are flat.
   void fill(const std::vector<PlacedMesh>& placed, const glm::dvec3& anchor, std::size_t positionCount,
             std::size_t triangleCount) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -220,11 +223,8 @@ struct TriangleRays::Structure {
           *position++ = glm::vec3(glm::dvec3(each.worldFromMesh * glm::dvec4(glm::dvec3(p), 1.0)) - anchor);
         }
         const std::vector<std::uint32_t>& indices = each.mesh->indices;
-        const bool mirrored = glm::determinant(glm::dmat3(each.worldFromMesh)) < 0.0;
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-          *corner++ = begin + indices[i];
-          *corner++ = begin + indices[mirrored ? i + 2 : i + 1];
-          *corner++ = begin + indices[mirrored ? i + 1 : i + 2];
+          for (std::size_t k = 0; k < 3; ++k) *corner++ = begin + indices[i + k];
         }
         begin += static_cast<std::uint32_t>(each.mesh->positions.size());
       }
@@ -246,7 +246,8 @@ TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seen
     const auto [look, added] = known.try_emplace(each.material);
     if (added) look->second = reflectingLook(each.material != nullptr ? *each.material : Material{}, scene);
     looks_.push_back({static_cast<std::uint32_t>(triangles_), look->second.roughness, look->second.reflectance,
-                      look->second.albedo, look->second.emitted, look->second.bothSides});
+                      look->second.albedo, each.lightsProbes ? look->second.emitted : glm::vec3(0.0f),
+                      look->second.bothSides});
     triangles_ += each.mesh->indices.size() / 3;
     positions += each.mesh->positions.size();
     bounds_ = united(bounds_, each.bounds);
