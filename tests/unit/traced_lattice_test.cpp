@@ -171,6 +171,35 @@ TEST(TracedLattice, WhatShinesUnseenLightsNodes) {
   }
 }
 
+// Nodes are half as far apart beside what is bright and drawn by no shape, and as usual beside what is dim, even, or
+// drawn.
+TEST(TracedLattice, BrightThingsThatAreNotDrawnBringNodesCloser) {
+  const auto spacing = [](const glm::vec3& wall, const glm::vec3& lamp, bool drawn, float around) {
+    auto room = std::make_shared<ShiningRoom>();
+    room->wall = wall;
+    room->lamp = lamp;
+    auto lamps = std::make_shared<SceneLamps>();
+    SceneLamp polygon;
+    polygon.corners = {{0.2, -0.5, kLow.z}, {1.6, -0.5, kLow.z}, {1.6, 0.8, kLow.z}, {0.2, 0.8, kLow.z}};
+    polygon.middle = {0.9, 0.15, kLow.z};
+    polygon.normal = {0.0, 0.0, 1.0};
+    polygon.radiance = lamp;
+    lamps->lamps.push_back(polygon);
+    LatticeSurroundings in;
+    in.lines = room;
+    in.lamps = lamps;
+    if (drawn) in.drawn = {0};
+    CubeMap seen(8, 1);
+    for (int face = 0; face < 6; ++face) std::fill_n(seen.face(0, face), 8 * 8 * 4, around);
+    return tracedSpacing(glm::vec3(kLow), glm::vec3(kHigh), 0.9f, plainMeans(seen), in);
+  };
+  const glm::vec3 dark(0.0f), bright(6.0f, 4.0f, 3.0f);
+  EXPECT_FLOAT_EQ(spacing(dark, bright, false, 0.3f), 0.45f);
+  EXPECT_FLOAT_EQ(spacing(dark, bright, true, 0.3f), 0.9f) << "drawn";
+  EXPECT_FLOAT_EQ(spacing(dark, glm::vec3(0.02f), false, 0.3f), 0.9f) << "dim";
+  EXPECT_FLOAT_EQ(spacing(glm::vec3(0.5f), dark, false, 0.3f), 0.9f) << "as bright as what is around";
+}
+
 // A floor without end under the sky; the place of the capture is walled in.
 struct Floor : SightLines {
   explicit Floor(double height) : height_(height) {}

@@ -22,7 +22,7 @@ constexpr int kMargin = 3;        // nodes beyond it
 constexpr int kOpenRays = 64;     // from a node
 constexpr double kNear = 3.2;     // spacings: no surface looks up a node that has none so near
 constexpr double kWithin = 0.6;   // of the rays: so many backs are seen from within a thing only
-constexpr double kCracks = 0.1;   // of the rays: more reach the sky among open sheets alone, whose inner sides are seen
+constexpr double kCracks = 0.1;   // of the rays: if more reach the sky, the backs are the inner sides of open sheets
 constexpr double kMoment = 0.75;  // largest along an axis
 
 struct Node {

@@ -70,8 +70,10 @@ CubeMap withoutSky(const CubeMap& means, const LatticeSurroundings& in) {
   return plainMeans(surfaces);
 }
 
-// Is a surface's point (world, so far off it at most) of a lamp that is drawn and shines against the direction?
-bool onLamp(const LatticeSurroundings& in, const glm::dvec3& at, const glm::dvec3& direction, double off) {
+// Does a ray along `direction` meet a drawn lamp's shining side there? `at`: world, up to `off` from the lamp's plane.
+bool onLamp(const LatticeSurroundings& in, const SightLines::Met& hit, const glm::dvec3& at,
+            const glm::dvec3& direction, double off) {
+  if (hit.emitted == glm::vec3(0.0f)) return false;
   for (const std::size_t k : in.drawn) {
     const SceneLamp& lamp = in.lamps->lamps[k];
     if (std::abs(glm::dot(at - lamp.middle, lamp.normal)) > off) continue;
@@ -187,7 +189,7 @@ class NodeTracer {
     const glm::dvec3& direction = directions_[ray];
     const glm::dvec3 at = from + hit.distance * direction, off = at + margin_ * hit.normal, way = at - in_.originWorld;
     const double length = glm::length(way);
-    if (onLamp(in_, at, direction, 0.1 * margin_)) return glm::vec3(0.0f);  // its shape gives it all
+    if (onLamp(in_, hit, at, direction, 0.1 * margin_)) return glm::vec3(0.0f);  // its shape gives it all
     if (length > 0.0 && glm::dot(way, hit.normal) < 0.0 && !in_.lines->blocked(in_.originWorld, off, true)) {
       const double towards = std::max(-glm::dot(hit.normal, direction), 0.05);
       const double seen = -glm::dot(hit.normal, way) / length, ratio = hit.distance / length;
@@ -389,12 +391,13 @@ bool LatticeSurroundings::operator==(const LatticeSurroundings& o) const {
   });
 }
 
-float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, const LatticeSurroundings& in) {
+float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, const CubeMap& means,
+                    const LatticeSurroundings& in) {
   if (!in.lines || in.lines->empty()) return usual;
   // Of the rays of a few places in the box: so much goes out where there is a door, so much where there is hardly a
   // box.
   constexpr double kDoor = 0.01, kNoRoom = 0.5;
-  constexpr double kBright = 4.0;  // a lamp is so much brighter than the mean
+  constexpr float kBright = 4.0f;  // so much brighter than the mean of the capture is a lamp
   constexpr int kPlaces = 3, kRaysOfPlace = 64;
   const glm::dvec3 size(high - low);
   // Walls are not always where the box has them.
@@ -403,7 +406,7 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
   const double off = 3.0e-5 * std::max({size.x, size.y, size.z});
   int out = 0, all = 0;
-  double brightest = 0.0, sum = 0.0;  // of what shines and is not drawn as a shape
+  float brightest = 0.0f;  // of what shines and is not drawn as a shape, sum of the colours
   for (int k = 0; k < kPlaces * kPlaces * kPlaces; ++k) {
     const glm::dvec3 share((k % 3 + 0.5) / kPlaces, (k / 3 % 3 + 0.5) / kPlaces, (k / 9 + 0.5) / kPlaces);
     const glm::dvec3 from = glm::dvec3(low) + share * size;
@@ -415,10 +418,8 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
       const glm::dvec3 fromWorld = in.originWorld + in.worldFromProbe * from, alongWorld = in.worldFromProbe * along;
       const auto hit = in.lines->first(fromWorld, alongWorld);
       if (hit && hit->back) continue;  // within something
-      if (hit && !onLamp(in, fromWorld + hit->distance * alongWorld, alongWorld, off)) {
-        const auto light = static_cast<double>(hit->emitted.x + hit->emitted.y + hit->emitted.z);
-        brightest = std::max(brightest, light);
-        sum += light;
+      if (hit && !onLamp(in, *hit, fromWorld + hit->distance * alongWorld, alongWorld, off)) {
+        brightest = std::max(brightest, hit->emitted.x + hit->emitted.y + hit->emitted.z);
       }
       ++all;
       const glm::dvec3 at = from + (hit ? hit->distance : 1.0e3 * glm::length(size)) * along;
@@ -427,7 +428,9 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
     }
   }
   const bool opens = out > kDoor * all && out < kNoRoom * all;
-  const bool shines = brightest * all > kBright * sum;
+  glm::vec4 mean(0.0f);
+  for (int face = 0; face < 6 && !means.empty(); ++face) mean += means.texel(means.maxLevel(), face, 0, 0) / 6.0f;
+  const bool shines = brightest > kBright * (mean.x + mean.y + mean.z);
   return opens || shines ? 0.5f * usual : usual;
 }
 

@@ -29,17 +29,19 @@ struct LatticeSurroundings {
 
 /// `base`: the lattice by projection, whose nodes and format this has. What the capture origin sees of a ray's end is
 /// looked up in `means` (plainMeans() of the capture without lamps), less the sky beside it. A lamp that is drawn is
-/// black. What the origin does not see shines, and scatters, by the
-/// mean albedo of its material, the light of lamps, light sources and suns that reach it and what the lattice itself
-/// has there: light goes from node to node until less than 0.2 % of it changes, at most 32 times; out of the box, under
-/// the sky, the sky's light. Nodes within things take the mean of their neighbours. Where surfaces stand between nodes,
-/// each lights its own side of them alone (DiffuseLattice::cuts).
+/// black. What the origin does not see shines, and scatters, by the mean albedo of its material, the light of lamps,
+/// light sources and suns that reach it and what the lattice itself has there: light goes from node to node until less
+/// than 0.2 % of it changes, at most 32 times; out of the box, under the sky, the sky's light. Nodes within things take
+/// the mean of their neighbours. Where surfaces stand between nodes, each lights its own side of them alone
+/// (DiffuseLattice::cuts).
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,
                              int rays = 1024);
 
 /// How far apart the nodes of such a lattice are to be: `usual`, and half of it where light comes into the box through
 /// openings or from something bright that is not drawn as a shape, since it falls steeply beside them. An opening is
-/// what some rays of some nodes pass by far, and most do not. `low`, `high`: the box, probe frame.
-float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, const LatticeSurroundings& in);
+/// what some rays of some nodes pass by far, and most do not. `low`, `high`: the box, probe frame. `means`: as above,
+/// what brightness is measured by.
+float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, const CubeMap& means,
+                    const LatticeSurroundings& in);
 
 }  // namespace boxprobe

@@ -52,7 +52,6 @@ struct LatticeWork {
     shape.projection = source.projection;
     LatticeSettings settings;
     if (source.fewRays) settings.rays = kFewRays;
-    settings.spacing = tracedSpacing(source.boxMin, source.boxMax, settings.spacing, source.traced);
     if (source.traced.lines && !source.reach.none()) {
       const ProbeReach reach = openReach(source.reach, *source.traced.lines, source.traced.originWorld,
                                          source.traced.worldFromProbe, source.boxMin, source.boxMax);
@@ -62,6 +61,7 @@ struct LatticeWork {
     const CubeMap capture = latticeCapture(radiance);
     const CubeMap sky = source.sky ? plainMeans(*source.sky) : CubeMap();
     const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));
+    settings.spacing = tracedSpacing(source.boxMin, source.boxMax, settings.spacing, means, source.traced);
     const DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe,
                                                         settings, source.sky ? &sky : nullptr);
     auto lattice = std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
