@@ -47,8 +47,7 @@ void addLampsInMap(const ExplainInput& in, float roughness, GatheredLight& out) 
   const auto lamps = std::find_if(in.probes.begin(), in.probes.end(), [](const auto& p) { return !p.lamps.empty(); });
   if (lamps == in.probes.end()) return;
   const float share = shading::lampsByShape(roughness);
-  out.specular +=
-      (1.0f - share) * out.lampsInMap * shading::lampColor(out.lampsF0 + out.lampsF90, lamps->lampGlossy.front());
+  out.specular += (1.0f - share) * out.lampsInMap * shading::lampColor(out.lampsF0, lamps->lampGlossy.front());
   out.lampsF0 *= share;
   out.lampsF90 *= share;
 }

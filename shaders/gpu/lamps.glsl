@@ -111,7 +111,7 @@ vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 
 #if BP_LAMP_LOBES
 // Reflected by F0, and by what a surface reflects at a flat angle; and what the map shows of them.
-// What the map has in a lamp's place is taken off the first alone: of the second it is reflected by the mean of the lobe, which is less.
+// What the map has in a lamp's place is subtracted from the F0 term only: in the F90 term the map's light counts by the mean of the lobe.
 void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, float roughness)
 {
   vec4 shares = vec4(0.0f);
@@ -146,7 +146,7 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
       } while (close != 0);
     }
   }
-  light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, bpLampGlossy[0]);
+  light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0, bpLampGlossy[0]);
   light.lampsF0 *= byShape;
   light.lampsF90 *= byShape;
 }

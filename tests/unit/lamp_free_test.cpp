@@ -116,11 +116,11 @@ TEST(LampFree, AShapeGivesWhatItAddsToItsPlace) {
   const CubeMap free = withoutLamps(cubeOf(32, lit), CubeMap(), {squareLamp()});
   LampPolygon other = squareLamp();  // the same behind the origin: nothing was taken out there
   for (vec3& corner : other.corners) corner.x = -corner.x;
-  const std::vector<vec3> standIns = lampStandIns(free, {squareLamp(), other});
-  ASSERT_EQ(standIns.size(), 2u);
-  EXPECT_NEAR(glm::length(standIns[0] - vec3(0.2f, 0.3f, 0.4f)), 0.0f, 1e-5f);
-  EXPECT_NEAR(glm::length(standIns[1] - vec3(0.2f, 0.1f, 0.4f)), 0.0f, 1e-5f);
-  const vec3 adds = withoutStandIn({300.0f, 200.0f, 0.25f}, standIns[0]);
+  const std::vector<vec3> backgrounds = lampBackgrounds(free, {squareLamp(), other});
+  ASSERT_EQ(backgrounds.size(), 2u);
+  EXPECT_NEAR(glm::length(backgrounds[0] - vec3(0.2f, 0.3f, 0.4f)), 0.0f, 1e-5f);
+  EXPECT_NEAR(glm::length(backgrounds[1] - vec3(0.2f, 0.1f, 0.4f)), 0.0f, 1e-5f);
+  const vec3 adds = withoutBackground({300.0f, 200.0f, 0.25f}, backgrounds[0]);
   EXPECT_NEAR(adds.x, 299.8f, 1e-3f);
   EXPECT_NEAR(adds.y, 199.7f, 1e-3f);
   EXPECT_EQ(adds.z, 0.0f);  // dimmer than what stands there

@@ -151,8 +151,8 @@ CubeMap withoutLamps(const CubeMap& capture, const CubeMap& distance, const std:
   return result;
 }
 
-std::vector<glm::vec3> lampStandIns(const CubeMap& without, const std::vector<LampPolygon>& lamps) {
-  std::vector<glm::vec3> standIns;
+std::vector<glm::vec3> lampBackgrounds(const CubeMap& without, const std::vector<LampPolygon>& lamps) {
+  std::vector<glm::vec3> backgrounds;
   for (const LampPolygon& lamp : lamps) {
     const auto corner = [&](int i) { return lamp.corners[static_cast<std::size_t>(i % lamp.count)]; };
     glm::vec3 middle(0.0f), sum(0.0f);
@@ -169,13 +169,13 @@ std::vector<glm::vec3> lampStandIns(const CubeMap& without, const std::vector<La
         area += weight;
       }
     }
-    standIns.push_back(area > 0.0f ? sum / area : glm::vec3(0.0f));
+    backgrounds.push_back(area > 0.0f ? sum / area : glm::vec3(0.0f));
   }
-  return standIns;
+  return backgrounds;
 }
 
-glm::vec3 withoutStandIn(const glm::vec3& radiance, const glm::vec3& standIn) {
-  return glm::max(radiance - standIn, glm::vec3(0.0f));
+glm::vec3 withoutBackground(const glm::vec3& radiance, const glm::vec3& background) {
+  return glm::max(radiance - background, glm::vec3(0.0f));
 }
 
 }  // namespace boxprobe

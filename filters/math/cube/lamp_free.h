@@ -16,10 +16,10 @@ namespace boxprobe {
 CubeMap withoutLamps(const CubeMap& capture, const CubeMap& distance, const std::vector<LampPolygon>& lamps);
 
 /// What stands in each lamp's place in such a capture, `without`: the mean over directions to the lamp. Lookups have it
-/// where the lamp is, so that its shape has to give its radiance less this (withoutStandIn).
-std::vector<glm::vec3> lampStandIns(const CubeMap& without, const std::vector<LampPolygon>& lamps);
+/// where the lamp is, so that its shape has to give its radiance less this (withoutBackground).
+std::vector<glm::vec3> lampBackgrounds(const CubeMap& without, const std::vector<LampPolygon>& lamps);
 
 /// Radiance of a lamp's shape beside a capture with that in the lamp's place. Not below 0.
-glm::vec3 withoutStandIn(const glm::vec3& radiance, const glm::vec3& standIn);
+glm::vec3 withoutBackground(const glm::vec3& radiance, const glm::vec3& background);
 
 }  // namespace boxprobe

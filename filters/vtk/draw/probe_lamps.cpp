@@ -37,14 +37,14 @@ glm::vec3 lampReflected(const DrawState& state, const ProbeBinding& binding, std
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
     const DrawnProbe& probe = *binding.probes[i];
     if (!binding.lampFree(i) || !probe.maps || !probe.maps->lampFree.maps) continue;
-    const std::vector<glm::vec3>& standIns = probe.maps->lampFree.standIns;
+    const std::vector<glm::vec3>& backgrounds = probe.maps->lampFree.backgrounds;
     const auto found = std::find(probe.lamps.begin(), probe.lamps.end(), lamp);
     const auto k = static_cast<std::size_t>(found - probe.lamps.begin());
-    if (k >= standIns.size()) continue;
-    sum += standIns[k];
+    if (k >= backgrounds.size()) continue;
+    sum += backgrounds[k];
     count += 1.0f;
   }
-  return withoutStandIn(glm::vec3(state.resources.lamps->lamps[lamp].radiance), sum / std::max(count, 1.0f));
+  return withoutBackground(glm::vec3(state.resources.lamps->lamps[lamp].radiance), sum / std::max(count, 1.0f));
 }
 
 }  // namespace boxprobe

@@ -48,7 +48,7 @@ bool makeLampFreeMaps(const ProbeMaps& maps, const std::vector<LampPolygon>& lam
     if (!free.maps || (!same && !dragged)) {
       const CubeMap capture = levelZero(maps.radiance);
       CubeMap without = withoutLamps(capture, levelZero(maps.distance), lamps);
-      free.standIns = lampStandIns(without, lamps);
+      free.backgrounds = lampBackgrounds(without, lamps);
       putLampsIntoAlpha(capture, without);
       auto made = std::make_shared<ProbeMaps>();
       made->radiance.allocate(maps.radiance.faceSize(), maps.radiance.levels(), GL_RGBA16F);

@@ -58,9 +58,9 @@ struct ProbeMaps {
   mutable LatticeMaker lattice;
   /// Made when a rough surface first draws lamps as shapes (lamp_free_maps.h).
   struct LampFree {
-    std::shared_ptr<ProbeMaps> maps;  ///< only a chain; null: not made
-    std::vector<LampPolygon> of;      ///< the lamps removed from it
-    std::vector<glm::vec3> standIns;  ///< of each, what stands in its place (lampStandIns)
+    std::shared_ptr<ProbeMaps> maps;     ///< only a chain; null: not made
+    std::vector<LampPolygon> of;         ///< the lamps removed from it
+    std::vector<glm::vec3> backgrounds;  ///< of each, what stands in its place (lampBackgrounds)
     bool refused = false;
   };
   mutable LampFree lampFree;
