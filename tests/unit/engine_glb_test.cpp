@@ -238,7 +238,7 @@ Mesh fullMesh(float seed) {
   return mesh;
 }
 
-/// Every field of a material away from its default.
+/// Nearly every field of a material away from its default.
 Material fullMaterial(const std::string& name) {
   Material m;
   m.name = name;
@@ -250,6 +250,10 @@ Material fullMaterial(const std::string& name) {
   m.occlusionStrength = 0.9f;
   m.coat = 0.35f;
   m.coatRoughness = 0.45f;
+  m.coatNormalScale = 0.55f;
+  m.specular = 0.5f;
+  m.finish.specularEdge = 0.25f;
+  m.finish.specularTint = {0.5f, 0.75f, 0.25f};
   m.transmission = 0.55f;
   m.ior = 1.33f;
   m.thin = false;
@@ -276,8 +280,9 @@ Material fullMaterial(const std::string& name) {
   use.uvSet = 1;
   use.nearest = true;
   use.uvTransform = {2.0f, 0.0f, 0.0f, -3.0f, 0.25f, 0.125f};
-  for (TextureUse* each : {&m.baseColorTexture, &m.normalTexture, &m.occlusionTexture, &m.coatTexture,
-                           &m.finish.filmThicknessTexture, &m.emissiveTexture}) {
+  for (TextureUse* each :
+       {&m.baseColorTexture, &m.normalTexture, &m.occlusionTexture, &m.coatTexture, &m.coatNormalTexture,
+        &m.metallicRoughnessTexture, &m.transmissionTexture, &m.finish.filmThicknessTexture, &m.emissiveTexture}) {
     *each = use;
   }
   m.emissiveTexture.wrapS = Wrap::Repeat;
@@ -309,6 +314,9 @@ TEST_F(GlbProbes, ModelsOfAnyFormatAreOneAndComeBackBitByBit) {
   second.meshes = {fullMesh(4.5f)};
   second.materials = {fullMaterial("other")};
   second.materials[0].alphaMode = AlphaMode::Blend;
+  second.materials[0].thickness = 0.0f;  // a solid all the same, as MTL files have them
+  second.materials[0].coat = 0.0f;       // which a scene may turn on
+  second.materials[0].transmission = 0.0f;
   second.meshes[0].material = 0;
   second.instances = {{"mirrored", 0, glm::dmat4(1.0)}};
   second.instances[0].worldFromModel[0][0] = -2.0;  // its triangles are turned, as every reader here leaves them
@@ -339,12 +347,15 @@ TEST_F(GlbProbes, ModelsOfAnyFormatAreOneAndComeBackBitByBit) {
     EXPECT_EQ(a.emissive, b.emissive);
     EXPECT_EQ(a.attenuationColor, b.attenuationColor);
     EXPECT_EQ(a.finish.sheenColor, b.finish.sheenColor);
+    EXPECT_EQ(a.finish.specularTint, b.finish.specularTint);
     for (const auto& [x, y] : {std::pair{a.metallic, b.metallic},
                                {a.roughness, b.roughness},
                                {a.normalScale, b.normalScale},
                                {a.occlusionStrength, b.occlusionStrength},
                                {a.coat, b.coat},
                                {a.coatRoughness, b.coatRoughness},
+                               {a.coatNormalScale, b.coatNormalScale},
+                               {a.finish.specularEdge, b.finish.specularEdge},
                                {a.transmission, b.transmission},
                                {a.ior, b.ior},
                                {a.specular, b.specular},

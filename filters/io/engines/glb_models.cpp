@@ -64,11 +64,6 @@ bool areTangents(const std::vector<glm::vec4>& tangents) {
   });
 }
 
-template <typename Vector>
-Json listOf(const Vector& v) {
-  return glbNumbers(v);
-}
-
 class ModelWriter {
  public:
   GlbDocument write(const Scene& scene, const SceneModels& models) {
@@ -111,15 +106,13 @@ class ModelWriter {
       Json node = {{"name", instance.node}};
       if (!isPlain(linear)) {
         node["mesh"] = addMesh(sheared(mesh, linear), firstMaterial);
-        node["translation"] = listOf(glm::dvec3(world[3]));
+        node["translation"] = glbNumbers(glm::dvec3(world[3]));
       } else {
         const bool mirrors = glm::determinant(linear) < 0.0;
         const auto [entry, isNew] = written.emplace(std::make_pair(instance.mesh, mirrors), meshes_.size());
         if (isNew) addMesh(mirrors ? unmirrored(mesh) : mesh, firstMaterial);
         node["mesh"] = entry->second;
-        if (world != glm::dmat4(1.0)) {
-          for (int i = 0; i < 16; ++i) node["matrix"].push_back(world[i / 4][i % 4]);
-        }
+        if (world != glm::dmat4(1.0)) node["matrix"] = glbMatrix(world);
       }
       nodes_.push_back(std::move(node));
     }
@@ -137,8 +130,8 @@ class ModelWriter {
         low = glm::min(low, v);
         high = glm::max(high, v);
       }
-      json["min"] = listOf(low);
-      json["max"] = listOf(high);
+      json["min"] = glbNumbers(low);
+      json["max"] = glbNumbers(high);
     }
     accessors_.push_back(std::move(json));
     return accessors_.size() - 1;
@@ -235,7 +228,8 @@ class ModelWriter {
   Json materialJson(const Material& m) {
     Json json = {{"name", m.name}};
     Json& pbr = json["pbrMetallicRoughness"];  // not used once json has grown
-    pbr = {{"baseColorFactor", listOf(m.baseColor)}, {"metallicFactor", m.metallic}, {"roughnessFactor", m.roughness}};
+    pbr = {
+        {"baseColorFactor", glbNumbers(m.baseColor)}, {"metallicFactor", m.metallic}, {"roughnessFactor", m.roughness}};
     putTexture(pbr, "baseColorTexture", m.baseColorTexture);
     putTexture(pbr, "metallicRoughnessTexture", m.metallicRoughnessTexture);
     putTexture(json, "normalTexture", m.normalTexture);
@@ -246,7 +240,7 @@ class ModelWriter {
     if (m.emissive != glm::vec3(0.0f)) {
       float strength = 1.0f;  // a power of two: nothing is rounded
       while (std::max({m.emissive.x, m.emissive.y, m.emissive.z}) > strength) strength *= 2.0f;
-      json["emissiveFactor"] = listOf(m.emissive / strength);
+      json["emissiveFactor"] = glbNumbers(m.emissive / strength);
       if (strength > 1.0f) extension(json, "KHR_materials_emissive_strength") = {{"emissiveStrength", strength}};
     }
     if (m.alphaMode == AlphaMode::Blend) json["alphaMode"] = "BLEND";
@@ -262,7 +256,9 @@ class ModelWriter {
   }
 
   void writeLayers(Json& json, const Material& m) {
-    if (m.coat > 0.0f) {
+    // A layer that the file turns off may be turned on by the scene.
+    const bool coated = m.coatTexture.image || m.coatRoughnessTexture.image || m.coatNormalTexture.image;
+    if (m.coat > 0.0f || m.coatRoughness > 0.0f || coated) {
       Json& coat = extension(json, "KHR_materials_clearcoat");
       coat["clearcoatFactor"] = m.coat;
       coat["clearcoatRoughnessFactor"] = m.coatRoughness;
@@ -271,7 +267,7 @@ class ModelWriter {
       putTexture(coat, "clearcoatNormalTexture", m.coatNormalTexture);
       if (m.coatNormalTexture.image) coat["clearcoatNormalTexture"]["scale"] = m.coatNormalScale;
     }
-    if (m.transmission > 0.0f) {
+    if (m.transmission > 0.0f || m.transmissionTexture.image) {
       Json& glass = extension(json, "KHR_materials_transmission");
       glass["transmissionFactor"] = m.transmission;
       putTexture(glass, "transmissionTexture", m.transmissionTexture);
@@ -281,7 +277,9 @@ class ModelWriter {
       volume["thicknessFactor"] = m.thicknessMean > 0.0f ? m.thickness / m.thicknessMean : m.thickness;
       putTexture(volume, "thicknessTexture", m.thicknessTexture);
       if (m.attenuationDistance > 0.0f) volume["attenuationDistance"] = m.attenuationDistance;
-      volume["attenuationColor"] = listOf(m.attenuationColor);
+      volume["attenuationColor"] = glbNumbers(m.attenuationColor);
+      if (!m.thin && !(m.thickness > 0.0f))
+        volume["extras"] = {{"solid", true}};  // glTF says that by a thickness alone
     }
     if (m.ior != 1.5f) extension(json, "KHR_materials_ior") = {{"ior", m.ior}};
   }
@@ -292,13 +290,13 @@ class ModelWriter {
       Json& specular = extension(json, "KHR_materials_specular");
       specular["specularFactor"] = f.specularEdge;
       const float rest = f.specularEdge > 0.0f ? m.specular / f.specularEdge : 1.0f;
-      specular["specularColorFactor"] = listOf(f.specularTint * rest);
+      specular["specularColorFactor"] = glbNumbers(f.specularTint * rest);
       putTexture(specular, "specularTexture", f.specularTexture);
       putTexture(specular, "specularColorTexture", f.specularColorTexture);
     }
     if (f.hasSheen()) {
       Json& sheen = extension(json, "KHR_materials_sheen");
-      sheen = {{"sheenColorFactor", listOf(f.sheenColor)}, {"sheenRoughnessFactor", f.sheenRoughness}};
+      sheen = {{"sheenColorFactor", glbNumbers(f.sheenColor)}, {"sheenRoughnessFactor", f.sheenRoughness}};
       putTexture(sheen, "sheenColorTexture", f.sheenColorTexture);
       putTexture(sheen, "sheenRoughnessTexture", f.sheenRoughnessTexture);
     }

@@ -14,12 +14,6 @@ namespace {
 
 constexpr const char* kLights = "KHR_lights_punctual";
 
-Json glbMatrix(const glm::dmat4& m) {
-  Json array = Json::array();
-  for (int i = 0; i < 16; ++i) array.push_back(m[i / 4][i % 4]);
-  return array;
-}
-
 void use(Json& root, const char* extension) {
   Json& used = root["extensionsUsed"];
   if (used.is_null()) used = Json::array();

@@ -17,6 +17,12 @@ Json glbNumbers(const Vector& v) {
   return array;
 }
 
+inline Json glbMatrix(const glm::dmat4& m) {
+  Json array = Json::array();
+  for (int i = 0; i < 16; ++i) array.push_back(m[i / 4][i % 4]);
+  return array;
+}
+
 /// `document`: of the scene's one model file, `model` as it was read. `countedLights`: of the scene's lights, those
 /// which a lamp stands for and which therefore are left out. Axes and lengths become glTF's: +Y up, metres. Returns
 /// the materials that were changed as they had been, by their numbers in the file.

@@ -139,7 +139,8 @@ class MaterialReader {
         material.transmissionTexture = extensionTexture(extension, "transmissionTexture");
       } else if (name == "KHR_materials_volume") {
         material.thickness = bounded(std::max(extensionNumber(extension, "thicknessFactor", 0.0), 0.0));
-        material.thin = material.thickness == 0.0f;
+        const bool solid = extension.Has("extras") && extension.Get("extras").Has("solid");  // our own files
+        material.thin = material.thickness == 0.0f && !solid;
         material.thicknessTexture = extensionTexture(extension, "thicknessTexture");
         // Its default is infinite.
         material.attenuationDistance = bounded(std::max(extensionNumber(extension, "attenuationDistance", 0.0), 0.0));
