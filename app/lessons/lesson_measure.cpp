@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "app/lessons/fit_measure.h"
 #include "app/session/explanation_json.h"
@@ -14,6 +13,7 @@
 #include "app/session/reference_box_picture.h"
 #include "filters/core/scene/surface_view.h"
 #include "filters/explain/surface_value.h"
+#include "filters/io/json/json_text.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/measure/metrics.h"
@@ -22,8 +22,6 @@
 namespace boxprobe {
 
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr int kGridColumns = 32, kGridRows = 20;  // places a view's mean is taken over
 constexpr int kSamples = 4;                       // a pixel

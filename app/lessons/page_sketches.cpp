@@ -31,19 +31,20 @@ const std::vector<PageSketch>& pageSketches() {
        false},
       {PageSketch::Plan, "impostor", "What did C see?",
        "The box knows walls, and the captured distances know what C saw. Drag C, the table top and P. Find a place for "
-       "C from which nothing of what the floor mirrors is hidden, and see what becomes of the box's error there.",
+       "C from which as little as possible of what the floor mirrors is hidden, and see what becomes of the box's error "
+       "there.",
        false},
       {PageSketch::Plan, "mirrors", "How often must it be captured?",
-       "Two mirrors face each other. Each capture adds one reflection, so a ray that needs more ends in black. Bring "
-       "the mirrors together: how many bounces are needed until no more than a hundredth of the light is missing?",
+       "Two mirrors face each other. Each capture adds one reflection, so a ray that needs more ends in black. Move the "
+       "eye from one mirror to the other, then change the share. What decides how many bounces are needed?",
        false},
       {PageSketch::Plan, "harmonics", "How much do nine numbers know?",
        "One lamp, all else is dark. Drag the lamp, its edge and the surface's normal. Make the lamp small: which light "
        "do nine numbers invent? Make it half of all directions: are four numbers enough?",
        false},
       {PageSketch::Plan, "seam", "Across the edge",
-       "Drag the texels up and down, and choose how they are looked up. When does an edge show that is looked up face "
-       "by face? What does the fix-up pay for its smooth edge?",
+       "Drag the texels up and down, and choose how they are looked up. If each face is looked up by itself, when does "
+       "the edge show? What does the fix-up's smooth edge cost?",
        false},
       {PageSketch::Plan, "sky", "How far away is it?",
        "What is outside can hang at the window or be infinitely far. Move it away and compare the lookup through the "
@@ -56,7 +57,7 @@ const std::vector<PageSketch>& pageSketches() {
       {PageSketch::Plan, "round", "A corner without a kink",
        "Drag the end of the ray through a corner and watch the distance. Then change the radius, by the handle on the "
        "box's edge. Where else does the distance change?",
-       true},
+       false},
       {PageSketch::Plan, "corner", "Why the corner glows",
        "P sees little but the dark wall, and one level of the cubemap is a mean over far more. Drag P out of the "
        "corner, then change m and u. Is there a pair that is right in the corner and in the middle?",

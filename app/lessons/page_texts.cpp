@@ -2,11 +2,11 @@
 #include "app/lessons/page_texts.h"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/read_file.h"
+#include "filters/io/json/json_text.h"
 
 namespace boxprobe {
 
@@ -18,9 +18,9 @@ PageTexts::PageTexts(const std::string& folder, const std::string& language) {
                              "; expected {\"format\": \"boxprobe-lesson-page-text\", \"version\": 1, \"language\": \"" +
                              language + "\", \"unreviewed\": S, \"texts\": {ENGLISH: TEXT, ..}}"));
   };
-  const nlohmann::json json = nlohmann::json::parse(readWholeFile(path.string()), nullptr, false);
+  const Json json = parseJsonText(readWholeFile(path.string()), path.string()).root;
   if (!json.is_object()) refuse("is not a JSON object");
-  const auto value = [&](const char* key) { return json.value(key, nlohmann::json()); };
+  const auto value = [&](const char* key) { return json.value(key, Json()); };
   if (value("format") != "boxprobe-lesson-page-text") refuse("format");
   if (value("version") != 1) refuse("version");
   if (value("language") != language) refuse("language");

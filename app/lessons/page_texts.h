@@ -20,7 +20,6 @@ class PageTexts {
   const std::string& unreviewed() const { return unreviewed_; }
   /// In the page's language, or as it is. "{0}", "{1}", .. in it are the values.
   std::string operator()(const std::string& english, const std::vector<std::string>& values = {}) const;
-  bool has(const std::string& english) const { return texts_.count(english) > 0; }
   const std::map<std::string, std::string>& all() const { return texts_; }
 
  private:

@@ -3,16 +3,14 @@
 
 #include <cmath>
 #include <glm/matrix.hpp>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "filters/explain/explanation.h"
+#include "filters/io/json/json_text.h"
 
 namespace boxprobe {
 
 namespace {
-
-using TaskJson = nlohmann::ordered_json;
 
 constexpr const char* kSlabFactor = "/probes/0/slabFactors/";
 
@@ -22,21 +20,21 @@ double shortened(double value) {
 }
 
 /// Nothing where the measure has no value.
-std::optional<TaskJson> rayOf(const Explanation& e) {
+std::optional<Json> rayOf(const Explanation& e) {
   if (!e.hit || e.dominant != 0) return std::nullopt;
   const ProbeExplanation& p = e.probes.front();
   if (!p.trueDistance || !p.hitDistance || p.boxDistance) return std::nullopt;  // not by the box alone
   const glm::dvec3 origin = glm::transpose(glm::dmat3(p.worldFromProbe)) * p.originWorld;
   const glm::dvec3 position = origin + glm::dvec3(p.positionProbe);
-  TaskJson ray = TaskJson::array();
+  Json ray = Json::array();
   for (int i = 0; i < 3; ++i) ray.push_back(shortened(position[i]));
   for (int i = 0; i < 3; ++i) ray.push_back(shortened(p.reflectionProbe[i]));
   ray.push_back(shortened(*p.trueDistance));
   return ray;
 }
 
-std::optional<TaskJson> measureJson(const ShownScene& shown, const LessonMeasure& measure) {
-  TaskJson json;
+std::optional<Json> measureJson(const ShownScene& shown, const LessonMeasure& measure) {
+  Json json;
   const std::string slab = kSlabFactor;
   if (measure.kind == MeasureKind::View && (measure.name == "hit-error" || measure.name == "direction-error")) {
     json["kind"] = measure.name;
@@ -47,7 +45,7 @@ std::optional<TaskJson> measureJson(const ShownScene& shown, const LessonMeasure
   } else {
     return std::nullopt;
   }
-  json["rays"] = TaskJson::array();
+  json["rays"] = Json::array();
   for (const Explanation& e : explanationsOf(shown, measure)) {
     if (auto ray = rayOf(e)) json["rays"].push_back(std::move(*ray));
   }
@@ -61,19 +59,19 @@ std::string roomTask(const ShownScene& shown, const LessonTask& task, double sta
   const auto measured = measureJson(shown, task.done.measure);
   if (!measured) return {};
   const char* const comparisons[] = {"above", "below", "within"};
-  TaskJson json = {{"done", comparisons[static_cast<int>(task.done.comparison)]},
-                   {"limit", task.done.limit},
-                   {"tolerance", task.done.tolerance},
-                   {"unit", task.unit},
-                   {"praise", task.praise},
-                   {"start", start},
-                   {"measure", *measured}};
+  Json json = {{"done", comparisons[static_cast<int>(task.done.comparison)]},
+               {"limit", task.done.limit},
+               {"tolerance", task.done.tolerance},
+               {"unit", task.unit},
+               {"praise", task.praise},
+               {"start", start},
+               {"measure", *measured}};
   if (task.done.times) {
     const auto times = measureJson(shown, *task.done.times);
     if (!times) return {};
     json["times"] = *times;
   }
-  return json.dump(-1, ' ', false, TaskJson::error_handler_t::replace);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace boxprobe

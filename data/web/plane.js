@@ -37,6 +37,13 @@ const boxprobePlane = (() => {
   const firstMet = (p, r, shelf) => { const wall = exit(p, r, SECTION), thing = meets(p, r, shelf); return thing < wall.d ? { d: thing, at: add(p, scaled(r, thing)), thing: true } : { ...wall, thing: false }; };
   const sees = (from, at, shelf) => { const way = sub(at, from); return Math.abs(firstMet(from, unit(way), shelf).d - length(way)) < 1e-4; };
   const moveShelf = (s, to) => { s.shelf = within(to, { min: [-2.1, 0.5], max: [2.1, 3.4] }); };
+  /** The place on or outside of the shelf that is next to `p`: from within, rays would pass it. */
+  function offShelf(p, s) {
+    const { min, max } = shelfOf(s), gap = 0.02, ways = [0, 1].flatMap((i) => [[i, min[i] - gap], [i, max[i] + gap]]);
+    if (p.some((v, i) => v <= min[i] - gap || v >= max[i] + gap)) return p;
+    const [axis, to] = ways.reduce((best, way) => (Math.abs(way[1] - p[way[0]]) < Math.abs(best[1] - p[best[0]]) ? way : best));
+    return p.map((v, i) => (i === axis ? to : v));
+  }
   /** Everything that `from` cannot see behind the shelf. */
   function shade(drawing, from, shelf) {
     const count = 720;
@@ -58,5 +65,5 @@ const boxprobePlane = (() => {
   }
 
 
-  return { DEGREES, add, sub, scaled, dot, length, unit, clamp, within, degrees, along, mean, percent, exit, inFloor, SECTION, OVER, shelfOf, firstMet, sees, moveShelf, shade, section };
+  return { DEGREES, add, sub, scaled, dot, length, unit, clamp, within, degrees, along, mean, percent, exit, inFloor, SECTION, OVER, shelfOf, firstMet, sees, moveShelf, offShelf, shade, section };
 })();

@@ -82,7 +82,7 @@ const boxprobeSketchKinds = {};
   class Sketch {
     constructor(host, kind) {
       this.host = host;
-      this.kind = boxprobeSketchKinds[kind];
+      this.kind = Object.create(boxprobeSketchKinds[kind]);  // two lessons may have one figure
       this.state = JSON.parse(JSON.stringify(this.kind.start));
       this.both = element('div', { class: 'stand-both' }, host);
       this.drawings = [];

@@ -5,7 +5,7 @@
 (() => {
   const { say } = boxprobeDrawing, kinds = boxprobeSketchKinds;
   const { add, sub, scaled, dot, length, unit, clamp, within, degrees, along, mean, percent } = boxprobePlane;
-  const { exit, inFloor, SECTION, OVER, shelfOf, firstMet, sees, moveShelf, shade, section } = boxprobePlane;
+  const { exit, inFloor, SECTION, OVER, shelfOf, firstMet, sees, moveShelf, offShelf, shade, section } = boxprobePlane;
 
   // A mirror needs surroundings: a ball, sampled with N, with R, or with R from where each point is.
   const HALL = { min: [-4, -2.7], max: [4, 2.7] }, BALL = 0.75;
@@ -18,15 +18,15 @@
     const place = at[1 - side[0]], light = Math.abs(((place + 8.35) % 1.8) - 0.9) < 0.3 ? 78 : 42;
     return `hsl(${side[2]} 60% ${light}%)`;
   }
-  const OFF = 96;
+  const OFF = 96, NEAREST = 1.06 * BALL;  // the eye stays outside of the ball
   kinds.ball = {
     start: { ball: [1.7, 0.5], eye: [-2.4, -1.7], origin: [0.3, -1.6], angle: 3.5, sampled: 'R' },
     make(sketch) {
       this.plan = sketch.drawing(say('Plan: a mirror ball in a room with four walls'), [-4.1, 4.1, -2.8, 2.8]);
       this.strip = sketch.drawing(say('The ball as the eye sees it, from its left rim to its right one'), [-1, 1, 0, 1], { chart: true, inset: [14, 14, 14, 14] });
       const inside = { min: add(HALL.min, [BALL, BALL]), max: sub(HALL.max, [BALL, BALL]) };
-      this.plan.handle('ball', say('the ball'), 'wall', (s) => s.ball, (s, to) => { s.ball = within(to, inside, 0.1); });
-      this.plan.handle('eye', say('the eye'), 'eye', (s) => s.eye, (s, to) => { s.eye = within(to, HALL, 0.05); }, say('eye'));
+      this.plan.handle('ball', say('the ball'), 'wall', (s) => s.ball, (s, to) => { const ball = within(to, inside, 0.1); if (length(sub(ball, s.eye)) >= NEAREST) s.ball = ball; });
+      this.plan.handle('eye', say('the eye'), 'eye', (s) => s.eye, (s, to) => { const from = sub(within(to, HALL, 0.05), s.ball), angle = Math.atan2(from[1], from[0]); s.eye = add(s.ball, scaled([Math.cos(angle), Math.sin(angle)], Math.max(length(from), NEAREST))); }, say('eye'));
       this.plan.handle('C', say('C, where the probe was captured'), 'C', (s) => s.origin, (s, to) => { s.origin = within(to, HALL, 0.05); }, 'C');
       this.plan.handle('P', say('P, a point of the ball'), 'P', (s) => this.pointOf(s), (s, to) => { s.angle = Math.atan2(to[1] - s.ball[1], to[0] - s.ball[0]); }, 'P', [10, 22]);
       sketch.choose(say('sampled with'), 'sampled', [['N', say('sampled with N')], ['R', say('with R')], ['box', say('with R, from P, through the box')]]);
@@ -94,10 +94,10 @@
     start: { eye: [-2.6, 1.5], origin: [-0.6, 2.7], shelf: [0.9, 1.5], place: -0.9 },
     make(sketch) {
       this.room = sketch.drawing(say('Section of a room with a table top; the floor is a mirror. Grey: what C does not see'), OVER);
-      this.over = sketch.chart(say('Error of box projection in degrees, over the floor; red: places that C did not see'), [-3, 3, 0, 60]);
+      this.over = sketch.chart(say('Error of box projection in degrees, over the floor; red: the ray ends where C did not see'), [-3, 3, 0, 60]);
       this.room.handle('eye', say('the eye'), 'eye', (s) => s.eye, (s, to) => { s.eye = within(to, SECTION, 0.1); }, say('eye'));
-      this.room.handle('C', say('C, where the probe was captured'), 'C', (s) => s.origin, (s, to) => { s.origin = within(to, SECTION, 0.05); }, 'C');
-      this.room.handle('table', say('the table top'), 'wall', (s) => s.shelf, moveShelf);
+      this.room.handle('C', say('C, where the probe was captured'), 'C', (s) => s.origin, (s, to) => { s.origin = offShelf(within(to, SECTION, 0.05), s); }, 'C');
+      this.room.handle('table', say('the table top'), 'wall', (s) => s.shelf, (s, to) => { moveShelf(s, to); s.origin = offShelf(s.origin, s); });
       this.room.handle('P', say('P, a point of the mirror floor'), 'P', (s) => [s.place, 0], (s, to) => { s.place = clamp(to[0], -2.98, 2.98); }, 'P', [-8, -14]);
     },
     at(s, x) {
@@ -125,7 +125,7 @@
       over.line([s.place, 0], [s.place, 60], 'here');
       const what = !n.met ? (n.seen ? say('The ray from P ends on a wall: the box is right there.') : say('The ray from P ends on a wall, but C does not see that place: the table hides it, and the lookup shows the table.'))
         : say('The ray from P meets the table: box projection samples {0}° away from it.', n.error.toFixed(1)) + ' ' + (n.seen ? say('C saw it, so a search along the captured distances can find it.') : say('C did not see it: no search finds it.'));
-      return `${what} ${say('Over the whole floor: {0}° on average; {1} % of the rays end where C saw nothing.', n.mean.toFixed(1), percent(n.unseen))}`;
+      return `${what} ${say('Over the whole floor: {0}° on average; {1} % of the rays end at places that C did not see.', n.mean.toFixed(1), percent(n.unseen))}`;
     },
   };
 })();

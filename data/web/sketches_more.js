@@ -3,18 +3,19 @@
 (() => {
   const { say } = boxprobeDrawing, kinds = boxprobeSketchKinds;
   const { DEGREES, add, sub, scaled, length, unit, clamp, within, degrees, along, mean, percent } = boxprobePlane;
-  const { exit, inFloor, SECTION, OVER, shelfOf, firstMet, sees, moveShelf, section } = boxprobePlane;
+  const { exit, inFloor, SECTION, OVER, shelfOf, firstMet, sees, moveShelf, offShelf, section } = boxprobePlane;
 
   // Mirrors in mirrors: two mirrors that face each other; a ray leaves between them at the ceiling or at the floor.
+  const MOST_BOUNCES = 12;
   kinds.mirrors = {
     start: { wide: 2.6, eye: [0.7, 0.9], height: 1.5, bounces: 2, share: 0.9 },
     make(sketch) {
       this.hall = sketch.drawing(say('Section of a hall between two mirrors'), [-0.2, 4.4, -0.1, 3.75]);
-      this.chart = sketch.chart(say('Light that is missing in the right mirror, over the number of bounces'), [0.4, 8.6, 0, 1]);
+      this.chart = sketch.chart(say('Light that is missing in the right mirror, over the number of bounces'), [0.4, MOST_BOUNCES + 0.6, 0, 1]);
       this.hall.handle('eye', say('the eye'), 'eye', (s) => [Math.min(s.eye[0], s.wide - 0.1), s.eye[1]], (s, to) => { s.eye = [clamp(to[0], 0.1, s.wide - 0.1), clamp(to[1], 0.1, 3.5)]; }, say('eye'));
       this.hall.handle('mirror', say('the right mirror'), 'wall', (s) => [s.wide, 0.25], (s, to) => { s.wide = clamp(to[0], 0.6, 4.2); });
       this.hall.handle('P', say('P, a point of the right mirror'), 'P', (s) => [s.wide, s.height], (s, to) => { s.height = clamp(to[1], 0.02, 3.58); }, 'P', [14, 6]);
-      sketch.slide(say('bounces'), 'bounces', 1, 8, 1, (v) => String(v));
+      sketch.slide(say('bounces'), 'bounces', 1, MOST_BOUNCES, 1, (v) => String(v));
       sketch.slide(say('share that a mirror reflects'), 'share', 0.3, 1, 0.01);
     },
     /** The way of a ray from the eye by way of the right mirror. */
@@ -28,11 +29,11 @@
         points.push(p);
         if (up <= across) break;
       }
-      return { points, count: Math.min(count, most) };
+      return { points, count: Math.min(count, most), more: count > most };
     },
     numbers(s) {
       const counts = Array.from({ length: 180 }, (_, i) => this.way(s, 3.6 * (i + 0.5) / 180).count), light = counts.map((count) => s.share ** count), all = light.reduce((a, b) => a + b, 0);
-      const lacks = Array.from({ length: 8 }, (_, i) => light.reduce((sum, v, k) => sum + (counts[k] > i + 1 ? v : 0), 0) / all);
+      const lacks = Array.from({ length: MOST_BOUNCES }, (_, i) => light.reduce((sum, v, k) => sum + (counts[k] > i + 1 ? v : 0), 0) / all);
       return { ...this.way(s, s.height), lacks, black: counts.filter((count) => count > s.bounces).length / counts.length };
     },
     draw(sketch, n) {
@@ -45,8 +46,10 @@
       hall.circle(last, 7, n.count > s.bounces ? 'black-end' : 'right-point');
       chart.grid(n.lacks.map((_, i) => [i + 1, String(i + 1)]), [[0, '0 %'], [0.5, '50 %'], [1, '100 %']]);
       n.lacks.forEach((lack, i) => chart.rect([i + 0.7, 0], [i + 1.3, lack], i + 1 === s.bounces ? 'bar chosen' : 'bar'));
-      return (n.count > s.bounces ? say('This ray needs {0} reflections: with {1} bounces its end is still black.', n.count, s.bounces) : say('This ray needs {0} reflections: with {1} bounces its end is seen.', n.count, s.bounces))
-        + ' ' + say('{0} % of the right mirror is black; {1} % of its light is missing.', percent(n.black), percent(n.lacks[s.bounces - 1], 1));
+      const needs = n.more ? say('This ray needs more than {0} reflections.', n.count) : n.count === 1 ? say('This ray needs 1 reflection.') : say('This ray needs {0} reflections.', n.count);
+      const ends = n.count > s.bounces ? (s.bounces === 1 ? say('With 1 bounce its end is still black.') : say('With {0} bounces its end is still black.', s.bounces))
+        : s.bounces === 1 ? say('With 1 bounce its end is seen.') : say('With {0} bounces its end is seen.', s.bounces);
+      return `${needs} ${ends} ` + say('{0} % of the right mirror is black; {1} % of its light is missing.', percent(n.black), percent(n.lacks[s.bounces - 1], 1));
     },
   };
 
@@ -84,7 +87,7 @@
       this.round.handle('edge', say('the lamp’s edge'), 'C', (s) => turn(s.lamp + s.wide), (s, to) => { const by = angleOf(to) - s.lamp; s.wide = clamp(Math.abs(Math.atan2(Math.sin(by), Math.cos(by))), 0.05, 2.5); });
       this.round.handle('normal', say('N, the surface’s normal'), 'P', (s) => turn(s.normal, 0.78), (s, to) => { s.normal = angleOf(to); }, 'N');
       sketch.keys([['integral', say('exact')], ['hdrp', say('by harmonics')]]);
-      sketch.slide(say('harmonics up to degree'), 'degree', 0, 4, 1, (v) => say('{0}: {1} numbers', v, (v + 1) ** 2));
+      sketch.slide(say('harmonics up to degree'), 'degree', 0, 4, 1, (v) => (v === 0 ? say('0: 1 number') : say('{0}: {1} numbers', v, (v + 1) ** 2)));
     },
     numbers(s) {
       const most = capLight(s.wide, 0), away = Math.abs(Math.atan2(Math.sin(s.normal - s.lamp), Math.cos(s.normal - s.lamp)));
@@ -103,8 +106,10 @@
       chart.path(n.exactOver.map(([a, v]) => [a * DEGREES, v]), 'curve curve-integral');
       chart.path(n.keptOver.map(([a, v]) => [a * DEGREES, clamp(v, -0.4, 1.4)]), 'curve curve-hdrp');
       chart.line([n.away, -0.4], [n.away, 1.4], 'here');
-      return say('A surface turned {0}° from the lamp gets {1} % of the light of one that faces it; {2} numbers say {3} %.', n.away.toFixed(0), percent(n.light, 1), (s.degree + 1) ** 2, percent(n.kept, 1))
-        + ' ' + (n.kept < -0.005 ? `${say('Light below 0 is impossible.')} ` : '') + say('At worst they are off by {0} %.', percent(n.worst, 1));
+      const values = [n.away.toFixed(0), percent(n.light, 1), percent(n.kept, 1), (s.degree + 1) ** 2];
+      return (s.degree === 0 ? say('A surface turned {0}° from the lamp gets {1} % of the light of one that faces it; 1 number says {2} %.', ...values)
+        : say('A surface turned {0}° from the lamp gets {1} % of the light of one that faces it; {3} numbers say {2} %.', ...values))
+        + ' ' + (n.kept < -0.005 ? `${say('Light below 0 is impossible.')} ` : '') + say('The largest error over all normals is {0} %.', percent(n.worst, 1));
     },
   };
 
@@ -175,7 +180,8 @@
       const position = [s.place, 0], reflection = inFloor(s.eye, s.place), hit = exit(position, reflection, SECTION), away = awayOf(far);
       const through = hit.at[0] > 2.999 && hit.at[1] > s.low && hit.at[1] < s.high, lookup = sub(hit.at, s.origin);
       const seen = !through ? lookup : away === Infinity ? reflection : sub(add(hit.at, scaled(reflection, away / reflection[0])), s.origin);
-      return { position, reflection, hit: hit.at, distance: hit.d, through, lookup, seen, boxError: degrees(lookup, seen), bareError: degrees(reflection, seen) };
+      const pane = exit(s.origin, unit(seen), SECTION).at, hidden = through && !(pane[0] > 2.999 && pane[1] > s.low && pane[1] < s.high);
+      return { position, reflection, hit: hit.at, distance: hit.d, through, hidden, lookup, seen, boxError: degrees(lookup, seen), bareError: degrees(reflection, seen) };
     },
     numbers(s) { return { ...this.at(s, s.far), over: along(0, 1, 100, (far) => this.at(s, far)) }; },
     draw(sketch, n) {
@@ -186,14 +192,14 @@
       room.line(n.position, n.hit, 'reflected', 2.5);
       if (n.through) room.arrow(n.hit, add(n.hit, scaled(n.reflection, 1.4)), 'reflected');
       room.arrow(s.origin, add(s.origin, n.lookup), 'lookup');
-      room.arrow(s.origin, add(s.origin, scaled(n.reflection, 1.6)), 'bare');
-      room.text(add(s.origin, scaled(n.reflection, 1.6)), 'R', 'plain', 4, -6);
+      room.arrow(n.position, add(n.position, scaled(n.reflection, 1.2)), 'bare');
+      room.text(add(n.position, scaled(n.reflection, 1.2)), 'R', 'plain', 4, 20);
       room.text(n.hit, 'H', 'reflected', -22, -8);
       over.grid([[0, say('{0} m', 0)], [0.5, say('{0} m', awayOf(0.5).toFixed(1))], [1, '∞']], [[0, '0°'], [20, '20°'], [40, '40°'], [60, '60°']]);
       over.path(n.over.map(([far, p]) => [far, Math.min(p.boxError, 60)]), 'curve curve-J');
       over.path(n.over.map(([far, p]) => [far, Math.min(p.bareError, 60)]), 'curve curve-none');
       over.line([s.far, 0], [s.far, 60], 'here');
-      return n.through ? say('The ray leaves through the window. Sampled through the box it is {0}° off, with R alone {1}°.', n.boxError.toFixed(1), n.bareError.toFixed(1))
+      return n.through ? say('The ray leaves through the window. Sampled through the box it is {0}° off, with R alone {1}°.', n.boxError.toFixed(1), n.bareError.toFixed(1)) + (n.hidden ? ` ${say('C does not see it: a wall is in between.')}` : '')
         : say('The ray ends on a wall: the box is right, R alone is {0}° off.', n.bareError.toFixed(1));
     },
   };
@@ -204,9 +210,9 @@
     make(sketch) {
       this.room = sketch.drawing(say('Section: what the picture shows lies within the two lines from the eye'), OVER);
       this.strip = sketch.chart(say('The mirror floor, by who finds what its rays meet'), [-3, 3, 0, 3]);
-      this.room.handle('eye', say('the eye'), 'eye', (s) => s.eye, (s, to) => { s.eye = within(to, SECTION, 0.1); }, say('eye'));
+      this.room.handle('eye', say('the eye'), 'eye', (s) => s.eye, (s, to) => { s.eye = offShelf(within(to, SECTION, 0.1), s); }, say('eye'));
       this.room.handle('look', say('where the eye looks'), 'C', (s) => s.look, (s, to) => { s.look = within(to, SECTION, 0.02); });
-      this.room.handle('table', say('the table top'), 'wall', (s) => s.shelf, moveShelf);
+      this.room.handle('table', say('the table top'), 'wall', (s) => s.shelf, (s, to) => { moveShelf(s, to); s.eye = offShelf(s.eye, s); });
       this.room.handle('P', say('P, a point of the mirror floor'), 'P', (s) => [s.place, 0], (s, to) => { s.place = clamp(to[0], -2.98, 2.98); }, 'P', [-8, -14]);
     },
     shown(s, at) { return degrees(sub(at, s.eye), sub(s.look, s.eye)) < 30 && sees(s.eye, at, shelfOf(s)); },
@@ -235,9 +241,10 @@
       }
       for (const [row, name] of names) strip.text([-3, row + 0.8], name, 'axis', 2, 0);
       strip.line([s.place, 0], [s.place, 3], 'here');
+      if (!n.count) return say('No floor is in the picture.');
       const what = !n.visible ? say('P itself is not in the picture.') : n.screen ? say('The ray from P meets a place that the picture shows: the screen has it.')
         : n.box ? say('The picture does not show what the ray from P meets, but it is a wall: the box has it.') : say('The ray from P meets a side of the table that the picture does not show: neither has it.');
-      return `${what} ${say('Of the floor in the picture the screen has {0} %, the box another {1} %, and {2} % has neither.', percent(n.screenShare), percent(n.boxShare), percent(n.noneShare))}`;
+      return `${what} ${say('Of the floor in the picture the screen has {0} %, the box another {1} %; neither has {2} %.', percent(n.screenShare), percent(n.boxShare), percent(n.noneShare))}`;
     },
   };
 
@@ -254,8 +261,12 @@
     },
     box: { min: [-3, -2], max: [3, 2] },
     /** By halving: the ray leaves the points that are no farther than r from the inner box. Near two walls the edge is sharper. */
+    radiusAt(s) {
+      const gap = s.place.map((v, i) => Math.min(v - this.box.min[i], this.box.max[i] - v));
+      return Math.min(s.radius, gap[0] + gap[1], 2);
+    },
     rounded(s, r, sharp) {
-      const gap = s.place.map((v, i) => Math.min(v - this.box.min[i], this.box.max[i] - v)), radius = Math.min(s.radius, gap[0] + gap[1], 2);
+      const radius = this.radiusAt(s);
       if (radius < 1e-7) return sharp;
       const outside = (t) => length(add(s.place, scaled(r, t)).map((v, i) => Math.max(Math.abs(v) - (this.box.max[i] - radius), 0))) > radius;
       if (!outside(sharp * (1 - 1e-12))) return sharp;
@@ -270,7 +281,7 @@
     at(s, r) { const sharp = exit(s.place, r, this.box).d; return { sharp, rounded: this.rounded(s, r, sharp) }; },
     numbers(s) {
       const direction = unit(sub(s.target, s.place)), { sharp, rounded } = this.at(s, direction);
-      return { direction, sharp, rounded, hit: add(s.place, scaled(direction, rounded)), sharpHit: add(s.place, scaled(direction, sharp)) };
+      return { direction, sharp, rounded, radius: this.radiusAt(s), hit: add(s.place, scaled(direction, rounded)), sharpHit: add(s.place, scaled(direction, sharp)) };
     },
     draw(sketch, n) {
       const s = sketch.state, { plan, chart, box } = this, outline = [];
@@ -278,7 +289,7 @@
       for (const [x, y, from] of [[1, 1, 0], [-1, 1, 1], [-1, -1, 2], [1, -1, 3]]) {
         for (let i = 0; i <= 16; i++) {
           const a = (from + i / 16) * Math.PI / 2;
-          outline.push([x * (box.max[0] - s.radius) + s.radius * Math.cos(a), y * (box.max[1] - s.radius) + s.radius * Math.sin(a)]);
+          outline.push([x * (box.max[0] - n.radius) + n.radius * Math.cos(a), y * (box.max[1] - n.radius) + n.radius * Math.sin(a)]);
         }
       }
       plan.path(outline, 'rounded-outline', true);
@@ -290,13 +301,13 @@
       chart.path(over.map(([a, d]) => [a, Math.min(d.rounded, 6)]), 'curve curve-integral');
       const here = Math.atan2(n.direction[1], n.direction[0]) * DEGREES;
       chart.line([here, 0], [here, 6], 'here');
-      return say('d = {0} with sharp edges, {1} with a radius of {2}. In a room with sharp corners the hit is {3} too near.', n.sharp.toFixed(3), n.rounded.toFixed(3), s.radius.toFixed(2), (n.sharp - n.rounded).toFixed(3));
+      return say('d = {0} with sharp edges, {1} with a radius of {2}. In a room with sharp corners the hit is {3} too near.', n.sharp.toFixed(3), n.rounded.toFixed(3), n.radius.toFixed(2), (n.sharp - n.rounded).toFixed(3));
     },
   };
 
-  // A rough floor near a dark wall: what it sees, what one level of the cubemap shows, darkened by the distance, and the right level.
+  // A rough floor near a dark wall: what it sees, what one level of the cubemap shows, darkened by the distance, and the level by footprint.
   kinds.corner = {
-    start: { eye: [-2.4, 2.2], origin: [-0.5, 1.2], place: 2.5, low: 1.7, high: 3.3, rough: 0.85, factor: 0.5, power: 1 },
+    start: { eye: [-2.4, 2.2], origin: [-0.5, 1.2], place: 2.5, low: 1.7, high: 3.3, rough: 0.57, factor: 0.5, power: 1 },
     make(sketch) {
       this.room = sketch.drawing(say('Section: a dark room with a rough floor and a window high in its wall'), OVER);
       this.over = sketch.chart(say('Light of the floor, over its place'), [-2.9, 2.9, 0, 1]);
@@ -305,7 +316,7 @@
       this.room.handle('sill', say('the window’s lower edge'), 'wall', (s) => [3, s.low], (s, to) => { s.low = clamp(to[1], 0.1, s.high - 0.2); });
       this.room.handle('lintel', say('the window’s upper edge'), 'wall', (s) => [3, s.high], (s, to) => { s.high = clamp(to[1], s.low + 0.2, 3.65); });
       this.room.handle('P', say('P, a point of the rough floor'), 'P', (s) => [s.place, 0], (s, to) => { s.place = clamp(to[0], -2.9, 2.9); }, 'P', [-8, -14]);
-      sketch.keys([['integral', say('what P sees')], ['none', say('one level')], ['hdrp', say('darkened')], ['J', say('the right level')]]);
+      sketch.keys([['integral', say('what P sees')], ['none', say('one level')], ['hdrp', say('darkened')], ['J', say('level by footprint')]]);
       sketch.slide(say('roughness p'), 'rough', 0.3, 1, 0.01);
       sketch.slide(say('multiplier m'), 'factor', 0.1, 1.5, 0.01);
       sketch.slide(say('power u'), 'power', 0, 3, 0.05);
@@ -316,11 +327,11 @@
       return high > low ? Math.max(Math.min(high, b) - Math.max(low, a), 0) / (high - low) : 0;
     },
     at(s, x) {
-      const position = [x, 0], reflection = inFloor(s.eye, x), hit = exit(position, reflection, SECTION), half = 2 * Math.atan(s.rough * s.rough) / 2;
+      const position = [x, 0], reflection = inFloor(s.eye, x), hit = exit(position, reflection, SECTION), half = 2 * Math.atan(s.rough * s.rough);  // a ray turns by twice the tilt
       const middle = Math.atan2(reflection[1], reflection[0]), low = Math.max(middle - half, 0), high = Math.min(middle + half, Math.PI);
       const angleFrom = (at) => Math.atan2(at[1] - s.origin[1], at[0] - s.origin[0]), lookup = angleFrom(hit.at);
-      const ends = [low, high].map((a) => angleFrom(exit(position, [Math.cos(a), Math.sin(a)], SECTION).at)), about = (a, b) => { const by = a - b; return b + Math.atan2(Math.sin(by), Math.cos(by)); };
-      const patch = [about(ends[0], lookup), about(ends[1], lookup)].sort((a, b) => a - b);
+      // The patch never holds what is straight below C: angles are counted from there.
+      const patch = [low, high].map((a) => angleFrom(exit(position, [Math.cos(a), Math.sin(a)], SECTION).at)).map((a) => (a < -Math.PI / 2 ? a + 2 * Math.PI : a));
       const open = clamp(s.factor * hit.d ** s.power, 0, 1), one = this.bright(s, s.origin, lookup - half, lookup + half);
       return { position, reflection, hit: hit.at, distance: hit.d, low, high, open, truth: this.bright(s, position, low, high), one, darkened: one * open, level: this.bright(s, s.origin, ...patch) };
     },
@@ -340,8 +351,8 @@
       over.grid([[-2.9, '−2.9'], [0, '0'], [2.9, '2.9']], [[0, '0'], [0.5, '50 %'], [1, '100 %']]);
       for (const [key, kind] of [['truth', 'curve-integral'], ['one', 'curve-none'], ['darkened', 'curve-hdrp'], ['level', 'curve-J']]) over.path(n.over.map(([x, p]) => [x, p[key]]), `curve ${kind}`);
       over.line([s.place, 0], [s.place, 1], 'here');
-      return say('Light at P, in percent of the window’s: {0} is right, one level shows {1}, times o = {2} it is {3}, the right level shows {4}.', percent(n.truth), percent(n.one), n.open.toFixed(2), percent(n.darkened), percent(n.level))
-        + ' ' + say('Mean error over the floor: one level {0}, darkened {1}, the right level {2}.', percent(n.errors.one, 1), percent(n.errors.darkened, 1), percent(n.errors.level, 1));
+      return say('At P, {0} % of the window’s light is right. One level shows {1} %; darkened by o = {2}, it shows {3} %. The level by footprint shows {4} %.', percent(n.truth), percent(n.one), n.open.toFixed(2), percent(n.darkened), percent(n.level))
+        + ' ' + say('Mean error over the floor: {0} % with one level, {1} % darkened, {2} % with the level by footprint.', percent(n.errors.one, 1), percent(n.errors.darkened, 1), percent(n.errors.level, 1));
     },
   };
 })();

@@ -223,15 +223,14 @@ std::string figureHtml(const std::string& figure, const std::string& attributes,
 /// What opens the page.
 std::string infinityHtml(const std::string& live, const PageTexts& say) {
   return "<section class=\"opening\"><h2 id=\"figure-infinity\">" + html(say("What the box does")) + "</h2>\n<p>" +
-         html(say("A game does not trace the rays of a mirror. It looks them up in pictures that were taken "
-                  "beforehand: six, "
-                  "one for each face of a cube, from one point C. The six are a cubemap, and what captures them is a "
-                  "probe.")) +
+         html(say("Most games do not trace a mirror's rays. They look up each ray's direction in six pictures captured "
+                  "beforehand from one point C, one for each face of a cube. The six form a cubemap, and a probe "
+                  "captures it.")) +
          "</p>\n<p>" +
          html(say("This floor is a perfect mirror. Each of its pixels looks up one direction in the cubemap. With R "
-                  "alone, the direction in which the ray leaves the floor, it shows what C would see there. A box, six "
-                  "planes in place of the walls, tells where the ray ends. Shrink it from infinite to the room, and "
-                  "watch the floor.")) +
+                  "alone, the direction in which the ray leaves the floor, it shows what C would see in that direction. "
+                  "A box, six planes in place of the walls, tells where the ray ends. Shrink it from infinite to the "
+                  "room, and watch the floor.")) +
          "</p>\n" + live + "<p>" +
          html(say("Point at the floor. The orange ray leaves that pixel and ends at what the mirror should show. The "
                   "pink arrow leaves C and ends at what it does show. The cubemap lies beside the room, unfolded: the "
