@@ -82,7 +82,7 @@ use_pack() {
     fi
     chmod +x "$name"
   done
-  echo "glibc ${have:-unknown}, needed $need${loader:+: the pack\'s is used}"
+  echo "glibc ${have:-unknown}, needed $need${loader:+; the C library of the pack is used}"
 }
 
 failed=0
@@ -159,7 +159,8 @@ case ${1-} in
     mkdir -p "$2" && out=$(cd "$2" && pwd -P) || fail "$2 cannot be made"
     shift 2
     if [[ -d $here/bin ]]; then
-      used=$(use_pack) scenes_at=$here/scenes stored=$here/pictures
+      use_pack >"$out/used"  # not in a subshell: it exports
+      used=$(<"$out/used") scenes_at=$here/scenes stored=$here/pictures
       at() { echo "$out/bin/$(basename "$1")"; }
     else
       root=$(cd "$here/../.." && pwd -P)

@@ -177,7 +177,8 @@ def drawn(runs, name, scene, more, options, folder):
     width, height = pictures[0][:2]
     for pixel in (f"{width // 2},{height * 3 // 4}", f"{width // 3},{height // 2}"):
         found = [runs.run(["explain", str(scene), "--pixel", pixel, "--size", options.size, *more], limited) for limited in (False, True)]
-        refused = found[1][0] == 1 and "refuses the shader that explains" in found[1][2][-1]
+        # A material of all 17 textures leaves no unit for what explains; scenes as they are kept always leave some.
+        refused = found[1][0] == 1 and "textures" in name and "refuses the shader that explains" in (found[1][2] or [""])[-1]
         explained.append("refused" if refused else "explained")
         if found[0][0] != 0 or not (found[1][0] == 0 or refused):
             wrong.append(f"{name}: explain {pixel} ended with {found[0][0]} and {found[1][0]}: {found[1][2][-1:]}")
@@ -230,15 +231,17 @@ def in_window(runs, name, scene, options, folder):
     window = Window(runs, scene, folder)
     wrong = []
     aside, middle = ("mousemove", "3", "3"), ("mousemove", "560", "360")
-    window.do(*aside)
-    before = window.at_rest(options.seconds)
-    window.do(*middle, "key", "e")
-    window.do("mousemove_relative", "15", "40")
-    explaining = window.at_rest(options.seconds)
-    window.do(*aside, "key", "e")
-    after = window.at_rest(options.seconds)
-    shutil.copy(folder / f"window{window.number % 2}.png", folder / f"{name}-window.png")
-    status, lines = window.close()
+    try:
+        window.do(*aside)
+        before = window.at_rest(options.seconds)
+        window.do(*middle, "key", "e")
+        window.do("mousemove_relative", "15", "40")
+        explaining = window.at_rest(options.seconds)
+        window.do(*aside, "key", "e")
+        after = window.at_rest(options.seconds)
+        shutil.copy(folder / f"window{window.number % 2}.png", folder / f"{name}-window.png")
+    finally:
+        status, lines = window.close()
     if status != 0 or None in (before, explaining, after):
         return f"{name}: the window ended with {status}", [f"{name}: the window ended with {status}: {lines[-1:]}"]
     on, off = png_pictures.Difference(before, explaining), png_pictures.Difference(before, after)
