@@ -11,7 +11,7 @@ std::wstring wide(const std::string& text);
 std::string narrow(const std::wstring& text);
 
 /// A file for the C library's functions, binary, not inherited; -1: errno says why not. Unlike its own files, others
-/// may rename, replace and remove it meanwhile, as on other systems. `access`, `creation`: CreateFileW's; `flags`:
+/// may rename and remove it meanwhile, as on other systems. `access`, `creation`: CreateFileW's; `flags`:
 /// _O_RDONLY or _O_WRONLY.
 int openShared(const std::string& path, unsigned long access, unsigned long creation, int flags);
 

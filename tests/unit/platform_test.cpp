@@ -172,8 +172,8 @@ TEST_F(Platform, ANewFileIsNewAndReplacesAnother) {
   EXPECT_FALSE(removeFile(at("old").c_str()));
 }
 
-// A temporary file is renamed while it is open, and one that is read is replaced by whoever makes it anew.
-TEST_F(Platform, AnOpenFileIsRenamedReplacedAndRemoved) {
+// A temporary file is renamed while it is written, and one that is read is removed by somebody else.
+TEST_F(Platform, AnOpenFileIsRenamedAndRemoved) {
   const std::string path = at("open");
   NewFile file(path, Access::AsUsual);
   EXPECT_TRUE(file.write("one", 3));
@@ -186,7 +186,7 @@ TEST_F(Platform, AnOpenFileIsRenamedReplacedAndRemoved) {
   EXPECT_EQ(input.read(bytes, sizeof bytes), 6);
 }
 
-// By the program's manifest on Windows, by the locale's elsewhere.
+// By the program's manifest on Windows. Elsewhere the C library passes bytes on, and this cannot fail.
 TEST_F(Platform, TextOfTheCLibraryIsUtf8) {
   const std::string path = at("z\xc3\xbcrich");
   writeFile(path, "here");

@@ -67,18 +67,17 @@ std::string readWholeFile(const std::string& path, std::uintmax_t limit) {
 
 FilesAsked::FilesAsked() {
   const std::lock_guard lock(askedMutex);
-  asked = new std::set<std::string>;
+  asked = &names_;
 }
 
 FilesAsked::~FilesAsked() {
   const std::lock_guard lock(askedMutex);
-  delete asked;
-  asked = nullptr;
+  if (asked == &names_) asked = nullptr;
 }
 
 std::vector<std::string> FilesAsked::names() const {
   const std::lock_guard lock(askedMutex);
-  return {asked->begin(), asked->end()};
+  return {names_.begin(), names_.end()};
 }
 
 void noteAsked(const std::string& path) {

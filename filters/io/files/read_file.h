@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ class FilesAsked {
   FilesAsked(const FilesAsked&) = delete;
   FilesAsked& operator=(const FilesAsked&) = delete;
   std::vector<std::string> names() const;  ///< sorted, each once
+
+ private:
+  std::set<std::string> names_;
 };
 /// For files that are looked for before they are read.
 void noteAsked(const std::string& path);

@@ -12,9 +12,9 @@ std::string rendererName();
 /// current context.
 bool drawsOnCpu();
 
-/// Is what is done for speed to suit the CPU (flat pictures of cubemaps, mip levels drawn, no multisampling in the
-/// window)? As drawsOnCpu() says, unless the environment variable BOXPROBE_RENDERER_TUNING is `cpu` or `gpu`. Pictures
-/// are the same either way to 1/255.
+/// Is what is done for speed to suit the CPU: flat pictures of cubemaps and mip levels drawn, and in the window no
+/// multisampling? As drawsOnCpu() says, unless the environment variable BOXPROBE_RENDERER_TUNING is `cpu` or `gpu`.
+/// Pictures that are written are the same either way to 1/255.
 bool tunedForCpu();
 
 /// The value for GL_TEXTURE_MAX_ANISOTROPY_EXT: what the environment variable BOXPROBE_ANISOTROPY says (1 to 16), else
