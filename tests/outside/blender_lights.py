@@ -270,7 +270,7 @@ def islands(mesh, faces):
     return groups
 
 
-def eevee(described, stated, width, height):
+def eevee(described, stated, width, height, cubemap="256"):
     """Lamps where surfaces shine, an irradiance volume and a reflection cubemap for each probe; baked. Returns seconds."""
     scene = bpy.context.scene
     scene.render.engine = "BLENDER_EEVEE"
@@ -279,7 +279,7 @@ def eevee(described, stated, width, height):
     e = scene.eevee
     e.taa_render_samples, e.use_soft_shadows, e.light_threshold = 64, True, 0.001
     e.use_ssr, e.use_ssr_halfres, e.ssr_max_roughness = True, False, 1.0
-    e.gi_diffuse_bounces, e.gi_cubemap_resolution, e.gi_visibility_resolution, e.gi_irradiance_smoothing = 3, "256", "32", 0.1
+    e.gi_diffuse_bounces, e.gi_cubemap_resolution, e.gi_visibility_resolution, e.gi_irradiance_smoothing = 3, cubemap, "32", 0.1
     e.shadow_cube_size, e.shadow_cascade_size, e.use_shadow_high_bitdepth = "1024", "2048", True
     e.gi_glossy_clamp = 0.0
     for light in bpy.data.lights:
