@@ -227,10 +227,11 @@ std::string infinityHtml(const std::string& live, const PageTexts& say) {
                   "beforehand from one point C, one for each face of a cube. The six form a cubemap, and a probe "
                   "captures it.")) +
          "</p>\n<p>" +
-         html(say("This floor is a perfect mirror. Each of its pixels looks up one direction in the cubemap. With R "
-                  "alone, the direction in which the ray leaves the floor, it shows what C would see in that direction. "
-                  "A box, six planes in place of the walls, tells where the ray ends. Shrink it from infinite to the "
-                  "room, and watch the floor.")) +
+         html(
+             say("This floor is a perfect mirror. Each of its pixels looks up one direction in the cubemap. With R "
+                 "alone, the direction in which the ray leaves the floor, it shows what C would see in that direction. "
+                 "A box, six planes in place of the walls, tells where the ray ends. Shrink it from infinite to the "
+                 "room, and watch the floor.")) +
          "</p>\n" + live + "<p>" +
          html(say("Point at the floor. The orange ray leaves that pixel and ends at what the mirror should show. The "
                   "pink arrow leaves C and ends at what it does show. The cubemap lies beside the room, unfolded: the "
@@ -453,14 +454,14 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
       "\"><p class=\"score\"></p><ul class=\"chapters\">\n" + contents();
   if (!notation.empty()) text += "<li><a href=\"#notation\">" + html(say_("Notation")) + "</a></li>\n";
   if (!sources.empty()) text += "<li><a href=\"#sources\">" + html(say_("Sources")) + "</a></li>\n";
-  text += "</ul></nav>\n" + body() + notationHtml(notation, say_);
+  text += "</ul></nav>\n" + body() + notationHtml(notation, say_) + sourcesHtml(sources, say_);
   const auto atTheEnd = [&](const char* heading, const std::string& what) {
     if (what.empty()) return;
     text += "<section class=\"answers\"><h2>" + html(say_(heading)) + "</h2>\n" + what + "</section>\n";
   };
   atTheEnd("Answers", answers_);
   atTheEnd("Solutions", solutions_);
-  text += sourcesHtml(sources, say_) + "</main>\n<footer><p>" +
+  text += "</main>\n<footer><p>" +
           html(say_("Lessons, pictures and scripts of this page: Boxprobe {0}, BSD 3-Clause License, copyright 2026 "
                     "Boxprobe contributors.",
                     {BOXPROBE_VERSION})) +
