@@ -167,6 +167,19 @@ TEST_F(ImageFile, DamageIsOneLineThatNamesTheFile) {
   EXPECT_NE(errorText([&] { loadHdrImage(file("cut.hdr")); }), "");
 }
 
+// The library reads channels until one has no name, whatever size is said.
+TEST_F(ImageFile, ChannelsEndWhereTheirAttributeDoes) {
+  saveExr(file("a.exr"), ramp(3, 2));
+  std::string bytes = read("a.exr");
+  const std::size_t size = bytes.find(std::string("channels\0chlist\0", 16)) + 16;
+  const int said = static_cast<unsigned char>(bytes[size]);
+  --bytes[size];
+  write("short.exr", bytes);
+  EXPECT_EQ(errorText([&] { loadHdrImage(file("short.exr")); }),
+            file("short.exr") + ": is damaged: attribute channels of type chlist does not fill its " +
+                std::to_string(said - 1) + " bytes; save it again");
+}
+
 TEST_F(ImageFile, SizesBeyondTheLimitAreRefusedByTheFigure) {
   Imf::Header header(40000, 1);  // wide, but only one line
   header.channels().insert("Y", Imf::Channel(Imf::HALF));

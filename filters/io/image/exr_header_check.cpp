@@ -139,8 +139,13 @@ class HeaderReader {
       if (bytes < 4 || number<std::uint32_t>() > kDeflate * bytes) wrong();
     } else if (type == "chlist") {
       constexpr int kChannelBytes = 16;
-      while (file_ && file_.tellg() < end && !text().empty()) file_.seekg(kChannelBytes, std::ios::cur);
-      if (file_.tellg() != end) wrong();
+      // The library reads on until a channel has no name.
+      bool ended = false;
+      while (file_ && !ended && file_.tellg() < end) {
+        ended = text().empty();
+        if (!ended) file_.seekg(kChannelBytes, std::ios::cur);
+      }
+      if (!ended || file_.tellg() != end) wrong();
     }
   }
 
