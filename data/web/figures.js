@@ -271,6 +271,21 @@
     host.boxprobeInfinity.setSize(0);
   };
 
+  /** The scene in the element `id`, read once for all figures. */
+  const scenes = new Map();
+  window.boxprobeScene = (id) => {
+    if (!scenes.has(id)) scenes.set(id, JSON.parse(document.getElementById(id).textContent));
+    return scenes.get(id);
+  };
+
+  /** Starts the infinity slider, once: where it opens the page, while the rest is still read. */
+  window.boxprobeOpen = async (host) => {
+    if ('begun' in host.dataset) return;
+    host.dataset.begun = '';
+    await window.boxprobeInfinity(host, window.boxprobeScene(host.dataset.scene), JSON.parse(host.dataset.view));
+    if (host.boxprobeInfinity) host.querySelector('.figure-still').remove();
+  };
+
   // Of the error: black is none; the far end is that of 60 degrees and more. Perceived evenly, and told apart without colours.
   const HEAT = [[0, 0, 0], [46, 20, 94], [130, 30, 110], [214, 72, 66], [250, 160, 60], [252, 250, 180]], HEAT_END = 60;
   function heat(error) {

@@ -109,12 +109,7 @@
     figure.append(button);
   }
 
-  // Live figures start when they come into view. A scene is read once for all of them.
-  const scenes = new Map();
-  const sceneOf = (id) => {
-    if (!scenes.has(id)) scenes.set(id, JSON.parse(document.getElementById(id).textContent));
-    return scenes.get(id);
-  };
+  // Live figures start when they come into view.
   async function startFigure(host) {
     if (host.dataset.figure === 'cone') {
       host.querySelector('.figure-still').remove();
@@ -127,7 +122,11 @@
       else window.boxprobeSketch(host, host.dataset.sketch);
       return;
     }
-    const scene = sceneOf(host.dataset.scene), view = JSON.parse(host.dataset.view), still = host.querySelector('.figure-still');
+    if (host.dataset.figure === 'infinity') {
+      await window.boxprobeOpen(host);
+      return;
+    }
+    const scene = window.boxprobeScene(host.dataset.scene), view = JSON.parse(host.dataset.view), still = host.querySelector('.figure-still');
     if (host.dataset.figure === 'stand') {
       const { origin, axes, boxMin, boxMax } = scene.probes[0];
       const world = axes.map((axis) => axis[0] * origin[0] + axis[1] * origin[1] + axis[2] * origin[2]);
@@ -135,13 +134,8 @@
       window.boxprobeStand(host, { eye: view.camera.position, origin, room: { min: boxMin.map((v, i) => v + world[i]), max: boxMax.map((v, i) => v + world[i]) } });
       return;
     }
-    if (host.dataset.figure === 'code') {
-      await window.boxprobeCode(host, scene, view, JSON.parse(host.dataset.code));
-      if (host.boxprobeCode) still.remove();
-      return;
-    }
-    await window.boxprobeInfinity(host, scene, view);
-    if (host.boxprobeInfinity) still.remove();
+    await window.boxprobeCode(host, scene, view, JSON.parse(host.dataset.code));
+    if (host.boxprobeCode) still.remove();
   }
   const seen = new IntersectionObserver((entries) => {
     for (const { isIntersecting, target } of entries) {

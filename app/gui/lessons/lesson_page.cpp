@@ -438,6 +438,13 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
       "<title>" +
       title + "</title>\n<style>\n" + std::string(webSource("page.css")) + "</style></head><body>\n<h1>" + title +
       "</h1>\n<main>\n" + opening_;
+  // What the opening needs stands beside it, so that its figure is alive while the rest is still read.
+  if (!say_.all().empty()) text += textsScript(say_);
+  text += script("drawing.js");
+  if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js");
+  if (!opening_.empty()) {
+    text += "<script>boxprobeOpen(document.querySelector('[data-figure=infinity]'));</script>\n";
+  }
   if (!say_.unreviewed().empty()) text += "<p class=\"try\">" + html(say_.unreviewed()) + "</p>\n";
   int minutes = 0;
   for (const Section& section : sections_) minutes += section.minutes;
@@ -466,9 +473,7 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
                     "Boxprobe contributors.",
                     {BOXPROBE_VERSION})) +
           "</p></footer>\n";
-  if (!say_.all().empty()) text += textsScript(say_);
-  text += script("drawing.js");
-  if (!scenes_.empty()) text += sceneTexts_ + script("room.js") + script("figures.js") + script("code.js");
+  if (!scenes_.empty()) text += script("code.js");
   for (const char* file : {"cone.js", "surface.js", "sketch.js", "plane.js", "sketches.js", "sketches_more.js",
                            "plan.js", "task.js", "page.js"}) {
     text += script(file);
