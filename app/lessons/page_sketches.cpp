@@ -31,11 +31,13 @@ const std::vector<PageSketch>& pageSketches() {
        false},
       {PageSketch::Plan, "impostor", "What did C see?",
        "The box knows walls, and the captured distances know what C saw. Drag C, the table top and P. Find a place for "
-       "C from which as little as possible of what the floor mirrors is hidden, and see what becomes of the box's error "
+       "C from which as little as possible of what the floor mirrors is hidden, and see what becomes of the box's "
+       "error "
        "there.",
        false},
       {PageSketch::Plan, "mirrors", "How often must it be captured?",
-       "Two mirrors face each other. Each capture adds one reflection, so a ray that needs more ends in black. Move the "
+       "Two mirrors face each other. Each capture adds one reflection, so a ray that needs more ends in black. Move "
+       "the "
        "eye from one mirror to the other, then change the share. What decides how many bounces are needed?",
        false},
       {PageSketch::Plan, "harmonics", "How much do nine numbers know?",
