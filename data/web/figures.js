@@ -284,6 +284,7 @@
     host.dataset.begun = '';
     await window.boxprobeInfinity(host, window.boxprobeScene(host.dataset.scene), JSON.parse(host.dataset.view));
     if (host.boxprobeInfinity) host.querySelector('.figure-still').remove();
+    performance.mark('the opening figure is alive');
   };
 
   // Of the error: black is none; the far end is that of 60 degrees and more. Perceived evenly, and told apart without colours.

@@ -18,6 +18,13 @@ check(!/src="(?!data:)/.test(text) && !/<link|href="(?!#|https:)/.test(text), 'n
 check(!text.includes('does not hold'), 'every claim and every exercise holds');
 
 const page = await BrowserPage.open('file://' + file);
+// When the opening figure is alive, in a browser just started and when the page is opened again: measured, not judged.
+for (const how of ['first', 'again']) {
+  if (how === 'again') await page.evaluate('location.reload()');
+  await new Promise((resolve) => setTimeout(resolve, 300));
+  await page.until(`performance.getEntriesByName('the opening figure is alive').length > 0`);
+  console.log(`  the opening figure is alive ${(await page.evaluate(`performance.getEntriesByName('the opening figure is alive')[0].startTime`) / 1000).toFixed(2)} s after the page was opened ${how}`);
+}
 await page.until('[...document.images].every((image) => image.complete)');
 const found = await page.evaluate(`({ lessons: document.querySelectorAll('h3').length, pictures: document.images.length, broken: [...document.images].filter((image) => !image.naturalWidth).length,
   plans: document.querySelectorAll('.plan.live').length, rooms: document.querySelectorAll('.room-view').length, tasks: document.querySelectorAll('[data-task]').length,
