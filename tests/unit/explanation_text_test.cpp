@@ -12,6 +12,8 @@
 namespace boxprobe {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -61,7 +63,9 @@ TEST(ExplanationText, NamesLampsAndNodesOfDiffuseLight) {
   d.nodes = {{{2, 0, 1}, {0.1f, -0.9f, 0.7f}, 0.75f}, {{3, 0, 1}, {1.1f, -0.9f, 0.7f}, 0.25f}};
   d.nodeCount = {5, 4, 7};
   const std::string text = explanationText(e);
-  EXPECT_THAT(lineOf(text, "E_lamp"), ContainsRegex("0\\.5000 +0\\.4000 +0\\.3000 .*\"ceiling lamp\".* 6\\.[23] %"));
+  // Half of the last digit: C libraries round it either way.
+  EXPECT_THAT(lineOf(text, "E_lamp"), AllOf(ContainsRegex("0\\.5000 +0\\.4000 +0\\.3000 .*\"ceiling lamp\""),
+                                            AnyOf(HasSubstr(" 6.2 %"), HasSubstr(" 6.3 %"))));
   EXPECT_THAT(lineOf(text, "E_lattice"), ContainsRegex("5 x 4 x 7 nodes: 2, 0, 1 by 75\\.0 %; 3, 0, 1 by 25\\.0 %"));
   EXPECT_THAT(lineOf(text, "diffuse"), HasSubstr("50.0 % of the pixel"));
 }
@@ -116,7 +120,7 @@ TEST(ExplanationText, SharesOfTexelsAddUpAndLongListsAreSummedUp) {
   EXPECT_NEAR(shares(sections), 100.0, 0.5);
   const std::string text = explanationText(e, detail);
   EXPECT_THAT(text, HasSubstr("more texels"));
-  EXPECT_THAT(text, ContainsRegex("% +0\\.1000 +0\\.5000 +0\\.2500 +texel [0-9]+, [0-9]+ of face \\+X")) << text;
+  EXPECT_THAT(text, ContainsRegex("% +0\\.1000 +0\\.5000 +0\\.2500 +texel 1, 1 of face \\+X")) << text;
 }
 
 TEST(ExplanationText, ABackgroundPixelHasNothingButItsColor) {
