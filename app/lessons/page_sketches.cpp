@@ -31,14 +31,11 @@ const std::vector<PageSketch>& pageSketches() {
        false},
       {PageSketch::Plan, "impostor", "What did C see?",
        "The box knows walls, and the captured distances know what C saw. Drag C, the table top and P. Find a place for "
-       "C from which as little as possible of what the floor mirrors is hidden, and see what becomes of the box's "
-       "error "
-       "there.",
+       "C from which as little as possible of what the floor mirrors is hidden. What becomes of the box's error there?",
        false},
       {PageSketch::Plan, "mirrors", "How often must it be captured?",
        "Two mirrors face each other. Each capture adds one reflection, so a ray that needs more ends in black. Move "
-       "the "
-       "eye from one mirror to the other, then change the share. What decides how many bounces are needed?",
+       "the eye from one mirror to the other, then change the share. What decides how many bounces are needed?",
        false},
       {PageSketch::Plan, "harmonics", "How much do nine numbers know?",
        "One lamp, all else is dark. Drag the lamp, its edge and the surface's normal. Make the lamp small: which light "

@@ -283,7 +283,8 @@
     if ('begun' in host.dataset) return;
     host.dataset.begun = '';
     await window.boxprobeInfinity(host, window.boxprobeScene(host.dataset.scene), JSON.parse(host.dataset.view));
-    if (host.boxprobeInfinity) host.querySelector('.figure-still').remove();
+    if (!host.boxprobeInfinity) return;
+    host.querySelector('.figure-still').remove();
     performance.mark('the opening figure is alive');
   };
 

@@ -177,7 +177,7 @@ def drawn(runs, name, scene, more, options, folder):
     width, height = pictures[0][:2]
     for pixel in (f"{width // 2},{height * 3 // 4}", f"{width // 3},{height // 2}"):
         found = [runs.run(["explain", str(scene), "--pixel", pixel, "--size", options.size, *more], limited) for limited in (False, True)]
-        # A material of all 17 textures leaves no unit for what explains; scenes as they are kept always leave some.
+        # Only the script's own floors may leave no unit for the shader that explains.
         refused = found[1][0] == 1 and "textures" in name and "refuses the shader that explains" in (found[1][2] or [""])[-1]
         explained.append("refused" if refused else "explained")
         if found[0][0] != 0 or not (found[1][0] == 0 or refused):

@@ -397,7 +397,7 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
   // Of the rays of a few places in the box: so much goes out where there is a door, so much where there is hardly a
   // box.
   constexpr double kDoor = 0.01, kNoRoom = 0.5;
-  constexpr float kBright = 4.0f;  // so much brighter than the mean of the capture is a lamp
+  constexpr float kBright = 4.0f;  // what is so many times as bright as the capture's mean is taken for a lamp
   constexpr int kPlaces = 3, kRaysOfPlace = 64;
   const glm::dvec3 size(high - low);
   // Walls are not always where the box has them.

@@ -139,8 +139,10 @@ class MaterialReader {
         material.transmissionTexture = extensionTexture(extension, "transmissionTexture");
       } else if (name == "KHR_materials_volume") {
         material.thickness = bounded(std::max(extensionNumber(extension, "thicknessFactor", 0.0), 0.0));
-        const bool solid = extension.Has("extras") && extension.Get("extras").Has("solid");  // our own files
-        material.thin = material.thickness == 0.0f && !solid;
+        const tinygltf::Value solid =
+            extension.Has("extras") ? extension.Get("extras").Get("solid") : tinygltf::Value();
+        const bool ownSolid = solid.IsBool() && solid.Get<bool>();  // in .glb files that this program wrote
+        material.thin = material.thickness == 0.0f && !ownSolid;
         material.thicknessTexture = extensionTexture(extension, "thicknessTexture");
         // Its default is infinite.
         material.attenuationDistance = bounded(std::max(extensionNumber(extension, "attenuationDistance", 0.0), 0.0));
