@@ -10,10 +10,24 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "filters/core/base/errors.h"
+
 namespace boxprobe {
 
 /// Embree aborts the program at ray coordinates beyond this (its FLT_LARGE) and at NaN.
 constexpr float kLargestRayCoordinate = 1.8e18f;
+
+/// On x86 with the instructions of AVX2 at most, as wider ones round some hits otherwise: machines of one farm write
+/// the same bytes. Throws WorkError.
+inline RTCDevice newRayDevice() {
+#if defined(__x86_64__) || defined(_M_X64)
+  const RTCDevice device = rtcNewDevice("max_isa=avx2");
+#else
+  const RTCDevice device = rtcNewDevice(nullptr);
+#endif
+  if (device == nullptr) throw WorkError("the ray tracer (Embree) does not start on this machine");
+  return device;
+}
 
 inline bool canBeTraced(const RTCRay& ray) {
   for (const float x : {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z}) {

@@ -261,8 +261,7 @@ TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seen
   anchor_ = bounds_.center();
 
   Structure& s = *structure_;
-  s.device = rtcNewDevice(nullptr);
-  if (s.device == nullptr) throw WorkError("the ray tracer (Embree) does not start on this machine");
+  s.device = newRayDevice();
   s.scene = rtcNewScene(s.device);
   rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(s.scene, RTC_BUILD_QUALITY_LOW);

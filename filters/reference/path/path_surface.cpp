@@ -174,8 +174,7 @@ std::vector<PathScene::Films> PathScene::filmsOf(const TriangleScene& scene) {
 PathScene::PathScene(TriangleScene scene)
     : scene_(std::move(scene)), films_(filmsOf(scene_)), structures_(std::make_unique<Structures>()) {
   Structures& s = *structures_;
-  s.device = rtcNewDevice(nullptr);
-  if (s.device == nullptr) throw WorkError("the ray tracer (Embree) does not start on this machine");
+  s.device = newRayDevice();
   s.scene = rtcNewScene(s.device);
   rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) {

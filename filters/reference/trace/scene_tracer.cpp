@@ -154,8 +154,7 @@ struct SceneTracer::Structures {
 
 SceneTracer::SceneTracer(TriangleScene scene) : scene_(std::move(scene)), structures_(std::make_unique<Structures>()) {
   Structures& s = *structures_;
-  s.device = rtcNewDevice(nullptr);
-  if (s.device == nullptr) throw WorkError("the ray tracer (Embree) does not start on this machine");
+  s.device = newRayDevice();
   for (RTCScene* target : {&s.picture, &s.probes}) {
     *target = rtcNewScene(s.device);
     rtcSetSceneFlags(*target, RTC_SCENE_FLAG_ROBUST);
