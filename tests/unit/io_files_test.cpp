@@ -37,16 +37,22 @@ TEST_F(Files, WhatAModelAsksForIsCollected) {
   const std::string gltf =
       write("b.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "b.bin", "byteLength": 4}]})");
   write("b.bin", "1234");
-  std::vector<std::string> names;
+  const FileStamp picture = stampOf(file("here.png"));
+  std::map<std::string, FileStamp> stamps;
   {
     const FilesAsked asked;
     readObj(obj);
     loadModelFile(gltf);
-    names = asked.names();
+    write("here.png", "no picture, and written while the model was read");
+    readObj(obj);
+    stamps = asked.stamps();
   }
   for (const char* name : {"a.obj", "a.mtl", "other.mtl", "here.png", "gone.png", "b.gltf", "b.bin"}) {
-    EXPECT_EQ(std::count(names.begin(), names.end(), file(name)), 1) << name;
+    EXPECT_EQ(stamps.count(file(name)), 1u) << name;
   }
+  EXPECT_TRUE(stamps[file("here.png")] == picture) << "as it was first";
+  EXPECT_FALSE(stampOf(file("here.png")) == picture);
+  EXPECT_TRUE(stamps[file("gone.png")] == FileStamp());
   loadModelFile(gltf);  // nobody collects any more
 }
 

@@ -148,30 +148,26 @@ std::string glbPath(const ExportOptions& options) {
   return (std::filesystem::path(options.output) / (sceneName(options.scenePath) + ".glb")).string();
 }
 
+using FileStamps = std::map<std::string, FileStamp>;
+
 /// What the export of a scene depends on: `asked` for its models, and what is read when it is drawn.
-std::vector<std::string> filesOf(const std::string& scenePath, const Scene& scene, std::vector<std::string> asked) {
-  std::vector<std::string> files = std::move(asked);
-  files.push_back(scenePath);
-  for (const ModelFile& model : scene.models) files.push_back(model.file);
-  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) files.push_back(image->file);
+FileStamps filesOf(const std::string& scenePath, const Scene& scene, FileStamps asked) {
+  FileStamps files = std::move(asked);
+  const auto add = [&files](const std::string& file) {
+    if (files.count(file) == 0) files.emplace(file, stampOf(file));
+  };
+  add(scenePath);
+  for (const ModelFile& model : scene.models) add(model.file);
+  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) add(image->file);
   for (const Probe& probe : scene.probes) {
-    if (!probe.image.empty()) files.push_back(probe.image);
+    if (!probe.image.empty()) add(probe.image);
   }
   return files;
 }
 
-using FileStamps = std::map<std::string, std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
-
-/// Time and size of each file; those that are being replaced have none.
-FileStamps stampsOf(const std::vector<std::string>& files) {
-  FileStamps stamps;
-  for (const std::string& file : files) {
-    std::error_code missing, ignored;
-    const auto time = std::filesystem::last_write_time(file, missing);
-    stamps[file] = {missing ? std::filesystem::file_time_type::min() : time,
-                    missing ? 0 : std::filesystem::file_size(file, ignored)};
-  }
-  return stamps;
+bool anyChanged(const FileStamps& files) {
+  return std::any_of(files.begin(), files.end(),
+                     [](const auto& file) { return !(stampOf(file.first) == file.second); });
 }
 
 /// What stays between the exports of --watch.
@@ -179,9 +175,9 @@ struct ExportRun {
   ExportOptions options;
   const InterruptGuard& interrupt;
   std::unique_ptr<GlbExporter> glb;
-  std::vector<std::string> read;  ///< files that the last export was made of
-  int revision = 0;               ///< of the file, with --watch
-  bool exported = false;          ///< at least once
+  FileStamps read;        ///< files that the last export was made of, as they were before they were read
+  int revision = 0;       ///< of the file, with --watch
+  bool exported = false;  ///< at least once
 };
 
 void exportGlb(ExportRun& run, LoadedScene& loaded, const std::vector<std::string>& names) {
@@ -212,12 +208,11 @@ LoadedScene loadFollowed(ExportRun& run) {
   const FilesAsked asked;
   try {
     LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, run.interrupt, options.report.quiet);
-    run.read = filesOf(options.scenePath, loaded.scene, asked.names());
+    run.read = filesOf(options.scenePath, loaded.scene, asked.stamps());
     return loaded;
   } catch (const Error&) {
-    for (const std::string& name : asked.names()) {
-      if (std::find(run.read.begin(), run.read.end(), name) == run.read.end()) run.read.push_back(name);
-    }
+    for (auto& [file, stamp] : run.read) stamp = stampOf(file);
+    for (const auto& [file, stamp] : asked.stamps()) run.read[file] = stamp;
     throw;
   }
 }
@@ -261,12 +256,9 @@ void watch(ExportRun& run) {
   using namespace std::chrono_literals;
   const bool glb = run.options.shader.empty() && run.options.settings.format == kGlbFormat;
   const std::string output = glb ? glbPath(run.options) : run.options.output;
-  run.read = {run.options.scenePath};
   run.revision = lastRevision(output);  // who followed an earlier run waits for a higher one
-  FileStamps known;
-  while (!run.interrupt.interrupted()) {
-    const FileStamps now = stampsOf(run.read);
-    if (now == known) {
+  for (bool due = true; !run.interrupt.interrupted(); due = anyChanged(run.read)) {
+    if (!due) {
       std::this_thread::sleep_for(50ms);
       continue;
     }
@@ -274,15 +266,10 @@ void watch(ExportRun& run) {
       exportOnce(run);
       writeRevision(output, ++run.revision);
       run.exported = true;
-      known = stampsOf(run.read);
-      for (const auto& [path, stamp] : now) {
-        if (known.count(path) != 0) known[path] = stamp;  // what changed meanwhile is exported once more
-      }
     } catch (const Error& error) {
       if (run.interrupt.interrupted()) break;
       if (!run.exported) throw;  // the scene has never been right
       printWarnings({std::string(error.what()) + "; what was written before stays"});
-      known = stampsOf(run.read);
     }
   }
 }

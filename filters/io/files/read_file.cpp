@@ -3,8 +3,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <map>
 #include <mutex>
-#include <set>
 #include <vector>
 
 #include "filters/core/base/errors.h"
@@ -25,7 +26,7 @@ std::vector<DeclaredOutput>& declaredOutputs() {
 }
 
 std::mutex askedMutex;
-std::set<std::string>* asked = nullptr;  // while somebody collects
+std::map<std::string, FileStamp>* asked = nullptr;  // while somebody collects
 
 void requireInput(const std::string& path, const FileStatus& status) {
   if (status.kind == FileStatus::Kind::Folder) throw InputError(path + ": is a folder; name a file");
@@ -67,22 +68,28 @@ std::string readWholeFile(const std::string& path, std::uintmax_t limit) {
 
 FilesAsked::FilesAsked() {
   const std::lock_guard lock(askedMutex);
-  asked = &names_;
+  asked = &stamps_;
 }
 
 FilesAsked::~FilesAsked() {
   const std::lock_guard lock(askedMutex);
-  if (asked == &names_) asked = nullptr;
+  if (asked == &stamps_) asked = nullptr;
 }
 
-std::vector<std::string> FilesAsked::names() const {
+std::map<std::string, FileStamp> FilesAsked::stamps() const {
   const std::lock_guard lock(askedMutex);
-  return {names_.begin(), names_.end()};
+  return stamps_;
+}
+
+FileStamp stampOf(const std::string& path) {
+  std::error_code missing, ignored;
+  const auto time = std::filesystem::last_write_time(path, missing);
+  return missing ? FileStamp() : FileStamp{time, std::filesystem::file_size(path, ignored)};
 }
 
 void noteAsked(const std::string& path) {
   const std::lock_guard lock(askedMutex);
-  if (asked != nullptr) asked->insert(path);
+  if (asked != nullptr && asked->count(path) == 0) asked->emplace(path, stampOf(path));
 }
 
 std::uintmax_t requireInputFile(const std::string& path) {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,14 @@ std::string readWholeFile(const std::string& path, std::uintmax_t limit = std::u
 /// Returns the size in bytes.
 std::uintmax_t requireInputFile(const std::string& path);
 
+/// What tells that a file was written again: its time and its size in bytes. A missing file has the earliest time.
+struct FileStamp {
+  std::filesystem::file_time_type time = std::filesystem::file_time_type::min();
+  std::uintmax_t size = 0;
+  bool operator==(const FileStamp& other) const { return time == other.time && size == other.size; }
+};
+FileStamp stampOf(const std::string& path);
+
 /// Collects, while it lives, which files are asked for in any thread by the functions above or by noteAsked(): those
 /// that are not there as well, since they may come. One at a time.
 class FilesAsked {
@@ -24,10 +33,11 @@ class FilesAsked {
   ~FilesAsked();
   FilesAsked(const FilesAsked&) = delete;
   FilesAsked& operator=(const FilesAsked&) = delete;
-  std::vector<std::string> names() const;  ///< sorted, each once
+  /// Each file as it was before it was first read, so that one that is written meanwhile differs.
+  std::map<std::string, FileStamp> stamps() const;
 
  private:
-  std::set<std::string> names_;
+  std::map<std::string, FileStamp> stamps_;
 };
 /// For files that are looked for before they are read.
 void noteAsked(const std::string& path);
