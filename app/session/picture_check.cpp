@@ -31,6 +31,7 @@ constexpr int kBounces = 3;         // of light between surfaces, where one make
 constexpr double kGlossy = 4.0;     // weight: a wrong mirror is seen at once
 constexpr double kWhite = 5.0;      // over the mean: lamps seen in mirrors would outweigh rooms
 constexpr double kNoisy = 0.5;      // of value and a tenth of white: what the truth does not know is left out
+constexpr double kCertain = 0.1;    // of the light: with less that is known the truth tells nothing
 constexpr double kBetter = 0.99;    // of the error: less is no reason to change a scene
 constexpr double kNoWorse = 1.005;  // without a probe: it is left out
 
@@ -81,10 +82,13 @@ class Checker {
     if (!look()) return std::nullopt;
     check_.eyes = eyes_.size();
     if (placement_.rooms.empty()) return check_;
-    if (eyes_.empty() || !(white_ > 0.0)) {
-      check_.sentences.emplace_back(eyes_.empty() ? "pictures were not compared: nobody can stand in these rooms"
-                                    : surfaces_   ? "pictures were not compared: the scene has no light"
-                                                : "pictures were not compared: only lamps and unlit surfaces are seen");
+    if (eyes_.empty() || !(white_ > 0.0) || !measurable()) {
+      check_.sentences.emplace_back(
+          eyes_.empty()  ? "pictures were not compared: nobody can stand in these rooms"
+          : !surfaces_   ? "pictures were not compared: only lamps and unlit surfaces are seen"
+          : white_ > 0.0 ? "pictures were not compared: the light that reaches the rooms is too little to "
+                           "tell it from noise"
+                         : "pictures were not compared: the scene has no light");
       check_.better = true;
       return check_;
     }
@@ -143,6 +147,23 @@ class Checker {
     surfaces_ = count > 0.0;
     white_ = count > 0.0 ? kWhite * sum / count : 0.0;
     return true;
+  }
+
+  /// Is most of the light more than its noise? Single rays that slip between the faces of closed rooms are none to
+  /// judge by.
+  bool measurable() const {
+    double all = 0.0, certain = 0.0;
+    for (const Eye& eye : eyes_) {
+      for (std::size_t i = 0; i < eye.weights.size(); ++i) {
+        if (!(eye.weights[i] > 0.0f)) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double light = clamped(eye.truth.color, i, c);
+          all += light;
+          if (!noisy(eye, i)) certain += light;
+        }
+      }
+    }
+    return certain > kCertain * all;
   }
 
   ReferencePicture traced(std::size_t i, const std::vector<std::pair<std::size_t, Camera>>& cameras) const {
