@@ -152,11 +152,13 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
     std::vector<std::size_t> sees;
     const Views known = input.record ? viewsOf(input.record->known) : Views();
     const Views seen = input.record ? viewsOf(input.record->sees) : Views();
+    std::vector<bool> lights(inputs_.size(), false);
+    for (const std::size_t other : input.lighting) lights[other] = true;
     for (std::size_t other = 0; other < inputs_.size() && !input.view.empty(); ++other) {
       if (inputs_[other].realtime || inputs_[other].view.empty()) continue;
-      const bool lights = std::find(input.lighting.begin(), input.lighting.end(), other) != input.lighting.end();
       const std::string& view = inputs_[other].view;
-      if (known.count(view) != 0 ? seen.count(view) != 0 : lights) sees.push_back(other);
+      const bool told = !known.empty() && known.count(view) != 0;
+      if (told ? seen.count(view) != 0 : lights[other]) sees.push_back(other);
     }
     sees_.push_back(std::move(sees));
     // Without the sky it is another picture than the only one of a single bounce.
