@@ -172,7 +172,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
   const bool otherLamps = (objects || lights || anyProbe || changes.probeCapture) && content.findLamps();
   state->resources.lamps = content.lamps;
-  if (models || lights || otherLamps) content.rebuildLights(renderer);
+  if (models || lights || otherLamps) content.rebuildLights(renderer, state->resources);
   content.sky->SetBackground(scene.background, scene.backgroundColor);
   askTraced(objects || changes.exposure || lights);
   if (lit) {
@@ -327,7 +327,7 @@ void SceneParts::setProbesEnabled(bool enabled) {
   const bool otherLamps = content.findLamps();
   if (otherLamps) {
     state->resources.lamps = content.lamps;
-    content.rebuildLights(renderer);
+    content.rebuildLights(renderer, state->resources);
     suns.sceneChanged();
     probes.updateShapes();
     updateCaptures();
@@ -433,6 +433,7 @@ void SceneParts::releaseGraphics() {
   state->resources.lattices->release();
   state->resources.sights->release();
   state->resources.opennessTexture->release();
+  state->resources.listedLights->release();
   releaseStaticTextures(state->resources);
   for (const DrawnObject& object : content.objects) {
     for (const SurfaceSlot& slot : object.surface->slots) {

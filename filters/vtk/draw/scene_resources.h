@@ -15,6 +15,7 @@
 #include "filters/math/sampling/filter_lobe.h"
 #include "filters/math/shared/display_math.h"
 #include "filters/vtk/draw/light_form.h"
+#include "filters/vtk/draw/listed_lights.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/maps/lattice_atlas.h"
 #include "filters/vtk/maps/openness_texture.h"
@@ -68,7 +69,9 @@ struct SceneResources {
   std::shared_ptr<const SkyOpenness> openness;  ///< null: all of the sky is open everywhere, or not traced yet
   std::shared_ptr<OpennessTexture> opennessTexture = std::make_shared<OpennessTexture>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
-  std::set<int> movingLightsInUse;        ///< indices of those whose shadows of moving objects a draw uses
+  std::vector<int> lightPlaces;           ///< of those among VTK's lights, -1: listed; empty: the same indices
+  std::shared_ptr<ListedLights> listedLights = std::make_shared<ListedLights>();
+  std::set<int> movingLightsInUse;  ///< indices of those whose shadows of moving objects a draw uses
   std::vector<MovingShadow> movingShadows;
   std::vector<SunShadow> sunShadows;
 };

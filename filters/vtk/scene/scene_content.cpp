@@ -214,13 +214,26 @@ std::vector<bool> SceneContent::lightsAlone() const {
   return alone;
 }
 
-void SceneContent::rebuildLights(vtkRenderer* renderer) {
+void SceneContent::rebuildLights(vtkRenderer* renderer, SceneResources& resources) {
   renderer->RemoveAllLights();
-  lights = makeLights(scene, bounds().center());
-  // Light and lamp are counted once. The light stays in the list, because shadows use its index.
+  const glm::dvec3 center = bounds().center();
+  VtkLights made = makeLights(scene, center);
+  lights = std::move(made.lights);
+  // Light and lamp are counted once. The light stays among VTK's, because shadows use its index.
+  std::vector<bool> counted(scene.lights.size(), false);
   for (std::size_t i = 0; lamps && i < lamps->lamps.size(); ++i) {
-    if (const auto light = lamps->lamps[i].light) lights[*light]->SetIntensity(0.0);
+    const auto light = lamps->lamps[i].light;
+    if (!light) continue;
+    counted[*light] = true;
+    if (made.places[*light] >= 0) lights[static_cast<std::size_t>(made.places[*light])]->SetIntensity(0.0);
   }
+  std::vector<Light> listed;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (made.places[i] < 0 && !counted[i]) listed.push_back(scene.lights[i]);
+  }
+  resources.listedLights->set(listed, center);
+  const bool all = std::find(made.places.begin(), made.places.end(), -1) == made.places.end();
+  resources.lightPlaces = all ? std::vector<int>() : std::move(made.places);
   for (auto& light : lights) renderer->AddLight(light);
 }
 

@@ -15,6 +15,7 @@
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 #include "filters/io/cube/sky_picture.h"
+#include "filters/vtk/draw/scene_resources.h"
 #include "filters/vtk/scene/model_actors.h"
 #include "filters/vtk/surface/vtkSkyProp.h"
 
@@ -57,7 +58,8 @@ struct SceneContent {
   bool many = false;
   std::vector<std::size_t> culled;
   Box culledBounds;  ///< of all of them
-  void rebuildLights(vtkRenderer* renderer);
+  /// Gives the renderer its lights, and `resources` those that are listed.
+  void rebuildLights(vtkRenderer* renderer, SceneResources& resources);
   /// Finds the lamps that are drawn as shapes, before the lights are rebuilt; skipped unless emissive objects, their
   /// placement, a light source or a probe's box changed. A light source at the place of a lamp that no probe draws
   /// counts by itself. Returns whether the lamps changed.

@@ -4,12 +4,39 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numeric>
 
 namespace boxprobe {
 
-std::vector<vtkSmartPointer<vtkLight>> makeLights(const Scene& scene, const glm::dvec3& center) {
-  std::vector<vtkSmartPointer<vtkLight>> lights;
-  for (const Light& light : scene.lights) {
+namespace {
+
+// Of each light its index among VTK's, or -1.
+std::vector<int> placesOf(const std::vector<Light>& lights) {
+  std::vector<int> places(lights.size());
+  std::iota(places.begin(), places.end(), 0);
+  if (lights.size() <= kMostOwnLights + 1) return places;
+  const auto rank = [&lights](int i) {
+    const Light& light = lights[static_cast<std::size_t>(i)];
+    return light.type == LightType::Directional ? 0 : light.shadows != LightShadows::None ? 1 : 2;
+  };
+  std::vector<int> order = places;
+  std::stable_sort(order.begin(), order.end(), [&rank](int a, int b) { return rank(a) < rank(b); });
+  std::fill(places.begin(), places.end(), -1);
+  for (std::size_t i = 0; i < kMostOwnLights; ++i) places[static_cast<std::size_t>(order[i])] = 0;
+  int next = 0;
+  for (int& place : places) place = place == 0 ? next++ : -1;
+  return places;
+}
+
+}  // namespace
+
+VtkLights makeLights(const Scene& scene, const glm::dvec3& center) {
+  VtkLights made;
+  made.places = placesOf(scene.lights);
+  auto& lights = made.lights;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (made.places[i] < 0) continue;
+    const Light& light = scene.lights[i];
     auto vtk = vtkSmartPointer<vtkLight>::New();
     vtk->SetLightTypeToSceneLight();
     vtk->SetColor(light.color.x, light.color.y, light.color.z);
@@ -39,13 +66,20 @@ std::vector<vtkSmartPointer<vtkLight>> makeLights(const Scene& scene, const glm:
     }
     lights.push_back(vtk);
   }
+  if (lights.size() < scene.lights.size()) {
+    auto lending = vtkSmartPointer<vtkLight>::New();
+    lending->SetLightTypeToSceneLight();
+    lending->PositionalOn();
+    lending->SetColor(0.0, 0.0, 0.0);
+    lights.push_back(lending);
+  }
   if (lights.empty()) {
     auto black = vtkSmartPointer<vtkLight>::New();
     black->SetLightTypeToHeadlight();
     black->SetColor(0.0, 0.0, 0.0);
     lights.push_back(black);
   }
-  return lights;
+  return made;
 }
 
 }  // namespace boxprobe

@@ -29,6 +29,7 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
   if (program.surface != nullptr) {
     text += materialDeclarations(*program.surface, program.facts) + finishDeclarations(*program.surface);
   }
+  if (program.listsLights()) text += shaderSource("gpu/light_list.glsl");
   if (program.glass()) text += glassDeclarations(program.surface->glass);
   if (program.output == SurfaceOutput::Heights) text += "uniform vec4 bpHeightPlane;\n";
   if (program.debug()) {

@@ -2,7 +2,9 @@
 // vtk_pbr_splice.h inserts it.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "filters/math/shared/display_math.h"
 #include "filters/vtk/draw/light_form.h"
@@ -28,7 +30,11 @@ struct SurfaceProgram {
   /// Emissive factors apply without an emissive texture.
   bool emission = true;
   Tone tone = Tone::None;
+  /// For each of the scene's lights its index in VTK's text; -1: in a list, which then takes the code of VTK's last
+  /// one. Empty: the same indices, and no list.
+  std::vector<int> lightPlaces = {};
 
+  bool listsLights() const { return std::find(lightPlaces.begin(), lightPlaces.end(), -1) != lightPlaces.end(); }
   bool probes() const { return binding.lighting == Lighting::Probes; }
   bool debug() const { return output == SurfaceOutput::Debug; }
   /// Is the split-sum table sampled?

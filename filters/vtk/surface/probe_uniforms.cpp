@@ -506,6 +506,23 @@ void uploadFinish(const UniformUpload& to, const MaterialFinish& finish) {
 
 }  // namespace
 
+void uploadListedLights(const UniformUpload& to, ListedLights& listed) {
+  const ListedLights::Reaching reaching = listed.reaching(to.boundsWorld);
+  const int range[2] = {reaching.from, reaching.count};
+  to.texture2d("bpLightList", listed.texture());
+  to.program->SetUniform2i("bpReaching", range);
+  // Exact at great distances from the origin: subtracted in double.
+  glm::mat4 viewFromList(1.0f);
+  const std::array<float, 9> worldFromView = viewToWorldRotation(to.camera());
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row)
+      viewFromList[column][row] = worldFromView[static_cast<std::size_t>(row * 3 + column)];
+  }
+  const glm::dvec3 center = glm::dmat3(glm::mat3(viewFromList)) * (listed.center() - to.eyeWorld());
+  viewFromList[3] = glm::vec4(glm::vec3(center), 1.0f);
+  to.program->SetUniformMatrix4x4("bpViewFromLightList", &viewFromList[0][0]);
+}
+
 void uploadMaterial(const UniformUpload& to, const SurfaceMaterial& surface) {
   to.program->SetUniformf("bpAlpha", surface.alpha);
   to.program->SetUniformf("bpAlphaCutoff", surface.alphaCutoff);

@@ -24,6 +24,9 @@ void uploadOutput(const UniformUpload& to, const PassSettings& pass);
 void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
                     const Constants* constants = nullptr, bool flatMaps = false);
 
+/// Of the object that is drawn: the listed lights that reach it.
+void uploadListedLights(const UniformUpload& to, ListedLights& listed);
+
 void uploadMaterial(const UniformUpload& to, const SurfaceMaterial& surface);
 void uploadMirror(const UniformUpload& to, const MirrorPicture& mirror, const SceneResources& resources);
 /// `binding`: the probes that are looked up through the glass; `behind`: what the frame shows behind it.

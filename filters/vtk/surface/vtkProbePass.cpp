@@ -340,9 +340,11 @@ void vtkProbePass::Prepare(vtkActor* actor) {
     this->Built.Modified();
   }
   const boxprobe::SceneResources& resources = this->State->resources;
-  if (resources.lightForm != this->Made.form || resources.tone != this->Made.tone) {
+  if (resources.lightForm != this->Made.form || resources.tone != this->Made.tone ||
+      resources.lightPlaces != this->Made.lightPlaces) {
     this->Made.form = resources.lightForm;
     this->Made.tone = resources.tone;
+    this->Made.lightPlaces = resources.lightPlaces;
     this->Rebuild();
   }
   if (this->Made.binding) {
@@ -401,6 +403,7 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
   program.foreign = resources.foreign;
   program.emission = resources.emission;
   program.tone = this->Made.tone;
+  program.lightPlaces = this->Made.lightPlaces;
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, lit);
   this->State->counts.fail(report.failure);
   if (!report.needed || !report.failure.empty()) {
@@ -518,6 +521,7 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
   }
   this->Made.form = this->State->resources.lightForm;
   this->Made.tone = this->State->resources.tone;
+  this->Made.lightPlaces = this->State->resources.lightPlaces;
   const bool lit = polygons && light;
   boxprobe::ShaderSources sources{vertex, geometry, fragment};
   if (!this->Splice(sources, actor, lit)) {
@@ -594,6 +598,9 @@ void vtkProbePass::Upload(vtkShaderProgram* program, const double* boundsWorld) 
     }
   } else if (this->Made.form == boxprobe::LightForm::Multiple) {
     boxprobe::uploadSplitSum(to, state.resources);
+  }
+  if (program->IsUniformUsed("bpLightList")) {
+    boxprobe::uploadListedLights(to, *state.resources.listedLights);
   }
   if (this->Asked.heights) {
     program->SetUniform4f("bpHeightPlane", &state.pass().heightPlaneView.x);

@@ -172,6 +172,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
     boxprobe::ProgramTraits traits;
     boxprobe::LightForm form = boxprobe::LightForm::Single;
     boxprobe::Tone tone = boxprobe::Tone::None;
+    std::vector<int> lightPlaces;
     int glass = 0;
   };
   /** The result of building the program. */

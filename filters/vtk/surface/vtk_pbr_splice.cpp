@@ -68,15 +68,25 @@ void applyPositional(std::string& text, int lamps, bool foreign, AnchorEdits& ed
   }
 }
 
+/// Indices of the scene's lights in VTK's text.
+struct LightPlaces {
+  const std::vector<int>& places;
+  int of(int light) const { return places.empty() ? light : places[static_cast<std::size_t>(light)]; }
+};
+
 // Multiplies each light by its transmittance through a probe's coverage and through shadow maps, in the lights' own
 // loop, so that it applies to coats and both lobes.
-void applyShadows(std::string& text, const ProbeBinding& binding, bool positional, AnchorEdits& edits) {
+void applyShadows(std::string& text, const ProbeBinding& binding, const LightPlaces& places, bool positional,
+                  AnchorEdits& edits) {
   std::map<int, std::string> factors;
+  bool found = false;
   for (std::size_t k = 0; k < binding.shadowLights.size(); ++k) {
+    if (places.of(binding.shadowLights[k]) < 0) continue;
     const std::string n = std::to_string(binding.shadowLights[k]);
-    factors[binding.shadowLights[k]] = (k == 0 ? "\n  bpFindCovers(vertexVC.xyz);" : "") +
+    factors[binding.shadowLights[k]] = (found ? "" : "\n  bpFindCovers(vertexVC.xyz);") +
                                        ("\n  radiance *= bpThrough(" + std::to_string(k) + ", " + n) +
                                        ", vertexVC.xyz, N, L, " + (positional ? "distanceVC" : "1.0") + ");";
+    found = true;
   }
   for (const int light : binding.movingLights) {
     factors[light] += "\n  radiance *= bpMovingShadow" + std::to_string(light) + "(vertexVC.xyz);";
@@ -85,22 +95,50 @@ void applyShadows(std::string& text, const ProbeBinding& binding, bool positiona
     factors[sun.light] += "\n  radiance *= bpSunShadow" + std::to_string(sun.light) + "(vertexVC.xyz, N);";
   }
   for (const auto& [light, factor] : factors) {
+    if (places.of(light) < 0) continue;
     const std::string radiance =
-        "radiance = lightColor" + std::to_string(light) + (positional ? " * attenuation;" : ";");
+        "radiance = lightColor" + std::to_string(places.of(light)) + (positional ? " * attenuation;" : ";");
     edits.replace(text, "light's shadow", {{radiance, radiance + factor}});
   }
 }
 
 // Multiplies each light source by its visibility, if a probe's nodes do not all see it. None of these lights uses
 // coverage.
-void applySights(std::string& text, const ProbeBinding& binding, bool positional, AnchorEdits& edits) {
+void applySights(std::string& text, const ProbeBinding& binding, const LightPlaces& places, bool positional,
+                 AnchorEdits& edits) {
+  bool found = false;
   for (std::size_t k = 0; k < binding.sightLights.size(); ++k) {
-    const std::string n = std::to_string(binding.sightLights[k]);
+    if (places.of(binding.sightLights[k]) < 0) continue;
+    const std::string n = std::to_string(places.of(binding.sightLights[k]));
     const std::string radiance = "radiance = lightColor" + n + (positional ? " * attenuation;" : ";");
     edits.replace(text, "light's visibility",
-                  {{radiance, radiance + (k == 0 ? "\n  bpFindLightSights(vertexVC.xyz, N);" : "") +
+                  {{radiance, radiance + (found ? "" : "\n  bpFindLightSights(vertexVC.xyz, N);") +
                                   "\n  radiance *= bpLightSeen(" + std::to_string(k) + ");"}});
+    found = true;
   }
+}
+
+// Runs the code of VTK's last light, after all other edits, for each light of the list.
+void listLights(std::string& text, int lamps, AnchorEdits& edits) {
+  const std::string n = std::to_string(lamps - 1);
+  const std::string start = "L = lightPositional" + n + " == 0 ?";
+  edits.replace(text, "light that lends its code",
+                {{start,
+                  "for (int bpPlace = 0; bpPlace < bpReaching.y; ++bpPlace)\n  {\n"
+                  "  BpListedLight bpListed = bpListedLight(bpPlace);\n"
+                  "  vec3 lightColor" +
+                      n + " = bpListed.color, lightPositionVC" + n +
+                      " = bpListed.positionView;\n"
+                      "  vec3 lightDirectionVC" +
+                      n + " = bpListed.directionView, lightAttenuation" + n +
+                      " = vec3(bpListed.perRange, 0.0, 1.0);\n"
+                      "  int lightPositional" +
+                      n +
+                      " = bpListed.positional ? 1 : 0;\n"
+                      "  float lightConeAngle" +
+                      n + " = bpListed.outerDegrees, lightExponent" + n + " = bpListed.innerCosine;\n  " + start}});
+  constexpr const char* kAfter = "// In IBL, we assume that v=n";
+  edits.replace(text, "end of the lights", {{kAfter, std::string("}\n  ") + kAfter}});
 }
 
 void spliceVertices(ShaderSources& sources, const SurfaceMaterial& surface, AnchorEdits& edits) {
@@ -159,8 +197,9 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
     spliceVertices(sources, *program.surface, edits);
   }
   if (program.probes()) {
-    applyShadows(text, program.binding, lights.positional, edits);
-    applySights(text, program.binding, lights.positional, edits);
+    const LightPlaces places{program.lightPlaces};
+    applyShadows(text, program.binding, places, lights.positional, edits);
+    applySights(text, program.binding, places, lights.positional, edits);
     applyAnchors(text, lightingAnchors(), coat, edits);
   }
   if (program.surface != nullptr) {
@@ -184,6 +223,7 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
     if (program.form == LightForm::Multiple && program.table()) applyAnchors(text, scatteringAnchors(), coat, edits);
     applyLamps(text, program, lights.count, coat, edits);
   }
+  if (program.listsLights()) listLights(text, lights.count, edits);
   spliceOutput(text, program, edits);
 }
 
