@@ -31,6 +31,7 @@ fs::path newFolder() {
 
 /// In the child: never returns.
 [[noreturn]] void become(const std::vector<std::string>& arguments, DisplayKind display, const fs::path& folder) {
+  signal(SIGHUP, SIG_DFL);  // nohup hands down that it is ignored
   if (display == DisplayKind::Unset) unsetenv("DISPLAY");
   if (display == DisplayKind::Unreachable) setenv("DISPLAY", ":9876", 1);
   const auto redirect = [&](const char* name, int target) {
