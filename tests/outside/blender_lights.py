@@ -270,7 +270,7 @@ def islands(mesh, faces):
     return groups
 
 
-def eevee(described, stated, width, height, cubemap="256"):
+def eevee(described, stated, width, height, cubemap="256", node_distance=NODE_DISTANCE):
     """Lamps where surfaces shine, an irradiance volume and a reflection cubemap for each probe; baked. Returns seconds."""
     scene = bpy.context.scene
     scene.render.engine = "BLENDER_EEVEE"
@@ -301,7 +301,7 @@ def eevee(described, stated, width, height, cubemap="256"):
         low, high = Vector(map(min, *ends)), Vector(map(max, *ends))
         half = 0.5 * (high - low)
         grid = bpy.data.lightprobes.new("volume", "GRID")
-        grid.grid_resolution_x, grid.grid_resolution_y, grid.grid_resolution_z = [max(2, round(2 * x / NODE_DISTANCE) + 1) for x in half]
+        grid.grid_resolution_x, grid.grid_resolution_y, grid.grid_resolution_z = [max(2, round(2 * x / node_distance) + 1) for x in half]
         grid.influence_distance, grid.falloff, grid.clip_start = 0.3, 0.5, 0.01
         grid.visibility_bleed_bias, grid.visibility_buffer_bias = 0.0, 0.5
         cube = bpy.data.lightprobes.new("cube", "CUBE")

@@ -9,6 +9,7 @@ usage: blender -b --factory-startup --python-exit-code 1 --python blender_sheet.
   --path RAYS           the program's own path tracer as well, held against Cycles by the same figures (default 0: not)
   --set FIELD=VALUE     for boxprobe render, may be repeated
   --cubemap N           texels along a face of EEVEE's cubemaps, also of those that its nodes are baked by (default 256)
+  --nodes METRES        between the nodes of EEVEE's irradiance volumes (default 1)
   --better              an error where EEVEE's picture is nearer to Cycles' than ours
 
 Cycles has all bounces. EEVEE has an irradiance volume and a reflection cubemap for each probe, area lamps where surfaces shine.
@@ -103,6 +104,7 @@ def main():
     reader.add_argument("--path", type=int, default=0)
     reader.add_argument("--set", action="append", default=[])
     reader.add_argument("--cubemap", choices=["64", "128", "256"], default="256")
+    reader.add_argument("--nodes", type=float, default=blender_lights.NODE_DISTANCE)
     reader.add_argument("--better", action="store_true")
     options = reader.parse_args(sys.argv[sys.argv.index("--") + 1 :])
     options.scene, options.out = options.scene.resolve(), options.out.resolve()
@@ -132,7 +134,7 @@ def main():
                 bpy.context.scene.cycles.seed = seed
                 blender_lights.draw(file(camera, "cycles-%d" % seed))
     if any(due(camera, "eevee", "eevee") for camera in cameras):
-        seconds, lamps = blender_lights.eevee(described, stated, width, height, options.cubemap)
+        seconds, lamps = blender_lights.eevee(described, stated, width, height, options.cubemap, options.nodes)
         print("EEVEE: %d lamps, baked in %.0f s" % (lamps, seconds), flush=True)
         for camera in cameras:
             blender_lights.set_camera(described["cameras"][camera])
