@@ -62,7 +62,16 @@ std::vector<NamedProgram> programsFor(int lights) {
   finishStock.name = "every finish, VTK's lamps";
   finishStock.form = LightForm::Vtk;
   finishStock.output = SurfaceOutput::Picture;
-  return {plain, sky, probe, debug, multiple, stock, glass, finish, finishDebug, finishStock};
+  std::vector<NamedProgram> programs = {plain, sky,   probe,  debug,       multiple,
+                                        stock, glass, finish, finishDebug, finishStock};
+  // VTK's last light lends its code to a list of others.
+  for (std::size_t i = 0; lights > 1 && i < 10; i += 3) {
+    NamedProgram listed = programs[i];
+    listed.name += ", lights from a list";
+    listed.lightPlaces = {0, -1, -1};
+    programs.push_back(listed);
+  }
+  return programs;
 }
 
 }  // namespace boxprobe::test

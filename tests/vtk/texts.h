@@ -28,7 +28,12 @@ struct NamedProgram {
   SurfaceOutput output = SurfaceOutput::Picture;
   LightForm form = LightForm::Single;
 
-  SurfaceProgram program() const { return {binding, &surface, output, false, form}; }
+  std::vector<int> lightPlaces = {};
+  SurfaceProgram program() const {
+    SurfaceProgram made{binding, &surface, output, false, form};
+    made.lightPlaces = lightPlaces;
+    return made;
+  }
 };
 
 std::vector<NamedProgram> programsFor(int lights);

@@ -137,8 +137,9 @@ void listLights(std::string& text, int lamps, AnchorEdits& edits) {
                       " = bpListed.positional ? 1 : 0;\n"
                       "  float lightConeAngle" +
                       n + " = bpListed.outerDegrees, lightExponent" + n + " = bpListed.innerCosine;\n  " + start}});
-  constexpr const char* kAfter = "// In IBL, we assume that v=n";
-  edits.replace(text, "end of the lights", {{kAfter, std::string("}\n  ") + kAfter}});
+  constexpr const char* kGlass = "vec3 bpReflected = vec3(bpGlassReflected(";
+  edits.replace(text, "end of the lights",
+                {{kGlass, std::string("}\n  ") + kGlass}, {kPbrMark, std::string("}\n  ") + kPbrMark}});
 }
 
 void spliceVertices(ShaderSources& sources, const SurfaceMaterial& surface, AnchorEdits& edits) {
