@@ -204,13 +204,15 @@ class Window:
         return self.started.poll() is not None
 
     def at_rest(self, seconds):
-        """What the screen shows once it changes no more."""
+        """What the view shows once it changes no more."""
         before, until = None, time.monotonic() + seconds
         while time.monotonic() < until and not self.ended():
             time.sleep(4.0)
             self.number += 1
             picture = self.folder / f"window{self.number % 2}.png"
-            subprocess.run(["import", "-window", "root", "-depth", "8", "-define", "png:color-type=2", str(picture)], check=False)
+            # The view alone: panels show what was explained last.
+            subprocess.run(["import", "-window", "root", "-crop", "690x780+250+75", "+repage", "-depth", "8", "-define", "png:color-type=2",
+                            str(picture)], check=False)
             now = png_pictures.read(picture)
             if before is not None and now == before and len(set(now[2])) > 60:
                 return now
@@ -234,6 +236,7 @@ def in_window(runs, name, scene, options, folder):
     try:
         window.do(*aside)
         before = window.at_rest(options.seconds)
+        window.do("search", "--onlyvisible", "--name", "Boxprobe", "windowfocus")  # no window manager gives it the keys
         window.do(*middle, "key", "e")
         window.do("mousemove_relative", "15", "40")
         explaining = window.at_rest(options.seconds)
