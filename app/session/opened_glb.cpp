@@ -35,7 +35,8 @@ void requireOwn(const fs::path& folder) {
     throw WorkError(folder.string() + ": others can write here; set HOME or XDG_CACHE_HOME");
 }
 
-/// Removes what was not opened for a month. Only folders of this file's own names are touched.
+/// Removes what was not opened for a month, and what processes that have ended left half unpacked. Only folders of this
+/// file's own names are touched.
 void removeOld(const fs::path& cache) {
   std::error_code error;
   const auto month = fs::file_time_type::clock::now() - std::chrono::hours(24 * 30);
@@ -43,8 +44,10 @@ void removeOld(const fs::path& cache) {
     const std::string name = it->path().filename().string();
     if (name.size() < kDigestLetters || name.find_first_not_of("0123456789abcdef.") != std::string::npos) continue;
     std::error_code ignored;
-    if (it->is_directory(ignored) && fs::last_write_time(it->path(), ignored) < month)
-      fs::remove_all(it->path(), ignored);
+    if (!it->is_directory(ignored)) continue;
+    const std::size_t dot = name.find('.');
+    const bool left = dot != std::string::npos && !processLives(std::atol(name.c_str() + dot + 1));
+    if (left || fs::last_write_time(it->path(), ignored) < month) fs::remove_all(it->path(), ignored);
   }
 }
 
@@ -58,6 +61,9 @@ std::string unpackedFolder(const std::string& path) {
   }
   fs::create_directories(cache, error);
   if (error) throw WorkError(cache.string() + ": cannot create this folder: " + error.message());
+  if (fs::is_symlink(fs::symlink_status(cache, error))) {
+    throw WorkError(cache.string() + ": is a link; only a folder of this user's own is used, so set XDG_CACHE_HOME");
+  }
   fs::permissions(cache, fs::perms::owner_all, error);
   if (error) throw WorkError(cache.string() + ": cannot be kept from others: " + error.message());
   // Below /tmp both folders may be somebody else's.

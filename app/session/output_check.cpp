@@ -4,22 +4,41 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/files/temporary_file.h"
 #include "filters/platform/folders.h"
+#include "filters/platform/input_file.h"
 
 namespace boxprobe {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Two options that name one file: what is written first would be lost.
+void requireAnother(const std::string& option, const std::string& path) {
+  static std::map<std::string, std::string> options;
+  std::error_code ignored;
+  const std::string target = fs::weakly_canonical(writtenPath(path), ignored).string();
+  const auto [known, isNew] = options.emplace(target, option);
+  if (isNew || known->second == option) return;
+  throw InputError(option + " " + path + ": " + known->second + " writes to this file; name another");
+}
+
+}  // namespace
 
 void requireWritable(const std::string& option, const std::string& path) {
   const std::string place = option + " " + path + ": ";
   std::error_code ignored;
   fs::path folder = fs::path(writtenPath(path)).parent_path();
   if (folder.empty()) folder = ".";
+  if (const auto there = fileStatus(path); there && there->kind == FileStatus::Kind::Other) {
+    throw InputError(place + "this is a pipe or device, not a file; name a file");
+  }
   if (!fs::exists(folder, ignored))
     throw InputError(place + "the folder " + folder.string() + " does not exist; create it first");
   if (!fs::is_directory(folder, ignored)) throw InputError(place + folder.string() + " is a file, not a folder");
@@ -30,6 +49,7 @@ void requireWritable(const std::string& option, const std::string& path) {
   } catch (const WorkError& error) {
     throw InputError(place + error.what());
   }
+  requireAnother(option, path);
   declareOutput(option, path);
 }
 

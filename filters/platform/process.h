@@ -18,6 +18,9 @@ std::uint64_t physicalMemoryBytes();
 /// For names that no other process chooses at the same time.
 long processNumber();
 
+/// Is there a process of this number? True where the system does not tell.
+bool processLives(long number);
+
 /// The user's number or name, for names in folders that users share.
 std::string userText();
 

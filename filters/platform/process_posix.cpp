@@ -1,7 +1,9 @@
 // See process.h.
+#include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
@@ -47,6 +49,10 @@ std::uint64_t physicalMemoryBytes() {
 
 long processNumber() {
   return static_cast<long>(::getpid());
+}
+
+bool processLives(long number) {
+  return number <= 0 || ::kill(static_cast<pid_t>(number), 0) == 0 || errno != ESRCH;
 }
 
 std::string userText() {

@@ -44,6 +44,14 @@ long processNumber() {
   return static_cast<long>(GetCurrentProcessId());
 }
 
+bool processLives(long number) {
+  const HANDLE process = OpenProcess(SYNCHRONIZE, FALSE, static_cast<DWORD>(number));
+  if (process == nullptr) return GetLastError() != ERROR_INVALID_PARAMETER;
+  const bool runs = WaitForSingleObject(process, 0) == WAIT_TIMEOUT;
+  CloseHandle(process);
+  return runs;
+}
+
 std::string userText() {
   wchar_t name[257] = {};
   const DWORD count = GetEnvironmentVariableW(L"USERNAME", name, 257);

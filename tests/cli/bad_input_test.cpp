@@ -1,6 +1,9 @@
 // Every bad input ends with exit status 2 and exactly one line that names the file and the place; no output is left.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
 
 #include "tests/cli/program.h"
 
@@ -170,6 +173,28 @@ TEST_F(BadInput, Size) {
     SCOPED_TRACE(size);
     expectArgumentsRefused({"-o", folder.path("out.png"), "--size=" + size}, {"--size"});
   }
+}
+
+TEST_F(BadInput, OutputsThatAreNoFilesOrOneFile) {
+  ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
+  for (const char* kind : {".glb", ".gltf", ".obj", ".ply", ".stl", ".vtp"}) {
+    ASSERT_EQ(::mkfifo(folder.path(std::string("model") + kind).c_str(), 0600), 0);
+    const Outcome outcome = runProgram({"info", folder.path(std::string("model") + kind)});
+    EXPECT_EQ(outcome.exitStatus, 2) << kind;
+    EXPECT_THAT(outcome.err, HasSubstr(std::string("model") + kind + ": is not a file but a pipe or device"));
+  }
+  const std::string picture = folder.path("s.png");
+  const auto refused = [&](const std::string& stats, const char* text) {
+    const Outcome outcome =
+        runProgram({"render", demoScene("room"), "-o", picture, "--stats", stats, "--size", "8x8", "--quiet"});
+    EXPECT_EQ(outcome.exitStatus, 2);
+    ASSERT_EQ(outcome.errLines().size(), 1u) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+    EXPECT_FALSE(std::filesystem::exists(picture));
+  };
+  refused(folder.path("pipe"), "this is a pipe or device");
+  refused(picture, "-o writes to this file");
+  refused(folder.path("./s.png"), "-o writes to this file");
 }
 
 TEST_F(BadInput, Samples) {

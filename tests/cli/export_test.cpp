@@ -157,6 +157,11 @@ TEST(Export, OneFileHoldsTheSceneAndOpensAsItWasBaked) {
   }
   EXPECT_EQ(drawn(glb, "after.exr"), before);
   EXPECT_EQ(drawn(glb, "again.exr"), before) << "unpacked before";
+  // What a process that was ended left there goes with the next file that is unpacked; a folder of another's is let be.
+  namespace fs = std::filesystem;
+  const fs::path unpacked = folder.path("cache/boxprobe/glb");
+  const fs::path left = unpacked / (std::string(32, 'a') + ".67108849"), other = unpacked / "other.67108849";
+  for (const fs::path& made : {left / "probes", other}) fs::create_directories(made);
   EXPECT_NE(before, std::vector<float>(before.size(), 0.0f));
   // The scene on top of the file: a field is set as in any scene.
   const Outcome set = runProgram({"info", glb, "--set", "probes.room.intensity=2", "--quiet"});
@@ -167,6 +172,18 @@ TEST(Export, OneFileHoldsTheSceneAndOpensAsItWasBaked) {
   EXPECT_EQ(refused.exitStatus, 2);
   ASSERT_EQ(refused.errLines().size(), 1u) << refused.err;
   EXPECT_THAT(refused.err, AllOf(HasSubstr("seven.glb"), HasSubstr("version")));
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(other));
+  // A link there leads to a folder whose permissions are not ours to change.
+  const fs::path elsewhere = folder.path("elsewhere");
+  fs::create_directory(elsewhere);
+  fs::permissions(elsewhere, fs::perms(0755));
+  fs::remove_all(unpacked);
+  fs::create_directory_symlink(elsewhere, unpacked);
+  const Outcome linked = runProgram({"info", glb, "--quiet"});
+  EXPECT_EQ(linked.exitStatus, 1);
+  EXPECT_THAT(linked.err, HasSubstr("is a link"));
+  EXPECT_EQ(fs::status(elsewhere).permissions(), fs::perms(0755));
 }
 
 // A folder as the output means NAME.glb in it, which may be the model that the scene reads.

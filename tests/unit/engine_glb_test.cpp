@@ -437,6 +437,18 @@ TEST_F(GlbProbes, BrokenFilesAreOneLine) {
     const J view = e["maps"][0]["levels"][0]["bufferView"];
     for (int i = 0; i < 20; ++i) e["files"].push_back({{"name", "copy " + std::to_string(i)}, {"bufferView", view}});
   });
+  refused("more bytes than the file", [](J&, J& e) {
+    for (J& level : e["maps"][1]["levels"])
+      level["bufferView"] = e["maps"][0]["levels"][&level - &e["maps"][1]["levels"][0]]["bufferView"];
+    while (e["maps"].size() < 40) e["maps"].push_back(e["maps"][0]);
+    for (std::size_t i = 2; i < 40; ++i) {
+      J probe = e["scene"]["probes"][0], entry = e["probes"][0];
+      probe["name"] = entry["name"] = "copy " + std::to_string(i);
+      entry["map"] = i;
+      e["scene"]["probes"].push_back(probe);
+      e["probes"].push_back(entry);
+    }
+  });
   refused("13", [](J&, J& e) { e["maps"][0]["levels"] = J::array(); });
   refused("irradiance", [](J&, J& e) { e["maps"][0]["irradiance"].erase(3); });
   refused("probes[0].map", [](J&, J& e) { e["probes"][0]["map"] = 5; });

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "filters/io/files/atomic_file.h"
@@ -106,6 +107,19 @@ TEST_F(AtomicFile, PlacesThatCannotBeWrittenAreNamed) {
               writeTextAtomically("/proc/boxprobe.txt", "x");
             }).rfind("/proc/boxprobe.txt: cannot write in its folder: ", 0),
             0u);
+  // A file in the place of /dev/null would be the end of it.
+  ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
+  std::filesystem::create_symlink("pipe", file("to the pipe"));
+  for (const char* name : {"pipe", "to the pipe"}) {
+    EXPECT_EQ(errorText<WorkError>([&] { writeTextAtomically(file(name), "x"); }),
+              file(name) + ": is a pipe or device, not a file; name a file");
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(file("pipe")));
+  std::filesystem::create_symlink("b", file("a"));
+  std::filesystem::create_symlink("a", file("b"));
+  EXPECT_EQ(errorText<WorkError>([&] { writeTextAtomically(file("a"), "x"); }),
+            file("a") + ": its links lead round in a circle; name another file");
+  EXPECT_TRUE(std::filesystem::is_symlink(file("a")));
 }
 
 TEST_F(AtomicFile, ALinkStaysALink) {

@@ -58,7 +58,8 @@ TEST_F(Files, WhatAModelAsksForIsCollected) {
 
 // A pipe without a writer would hold its reader for ever.
 TEST_F(Files, PipesAndDevicesAreNotOpened) {
-  for (const char* name : {"p.exr", "p.hdr", "p.png", "p.glb", "p.json"}) {
+  for (const char* name :
+       {"p.exr", "p.hdr", "p.png", "p.glb", "p.gltf", "p.obj", "p.ply", "p.stl", "p.vtp", "p.json"}) {
     ASSERT_EQ(::mkfifo(file(name).c_str(), 0600), 0);
   }
   const auto expectRefused = [&](auto read, const std::string& path) {
@@ -71,6 +72,7 @@ TEST_F(Files, PipesAndDevicesAreNotOpened) {
   expectRefused([](const std::string& path) { loadCube(path); }, file("p.exr"));
   expectRefused([](const std::string& path) { loadBakedProbe(path); }, file("p.exr"));
   expectRefused([](const std::string& path) { loadModelFile(path); }, file("p.glb"));
+  expectRefused([](const std::string& path) { readObj(path); }, file("p.obj"));
   expectRefused([](const std::string& path) { loadSceneFile(path); }, file("p.json"));
   expectRefused([](const std::string& path) { loadParetoFront(path, "box"); }, file("p.json"));
   expectRefused([](const std::string& path) { readWholeFile(path); }, "/dev/zero");

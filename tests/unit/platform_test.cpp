@@ -108,6 +108,8 @@ TEST_F(Platform, TheProgramIsTheFileThatRuns) {
   EXPECT_TRUE(fs::is_regular_file(program)) << program;
   EXPECT_EQ(program.stem().string(), "platform_test");
   EXPECT_GT(processNumber(), 0);
+  EXPECT_TRUE(processLives(processNumber()));
+  EXPECT_FALSE(processLives(0x3ffffff1));  // more than Linux counts to
   EXPECT_FALSE(userText().empty());
 }
 

@@ -176,7 +176,20 @@ void readHalves(std::string_view bytes, float* values) {
   }
 }
 
-BakedMaps readMaps(const GlbDocument& document, const Entry& map) {
+/// What is unpacked comes from the file once: entries may name one view again and again.
+class Budget {
+ public:
+  explicit Budget(const GlbDocument& document) : left_(document.binary.size()) {}
+  void spend(std::size_t bytes, const Entry& on) {
+    if (bytes > left_) on.fail("with the ones before it has more bytes than the file");
+    left_ -= bytes;
+  }
+
+ private:
+  std::size_t left_;
+};
+
+BakedMaps readMaps(const GlbDocument& document, const Entry& map, Budget& budget) {
   if (map.at("encoding").text() != "rgba16f") map.at("encoding").fail("is not supported; expected rgba16f");
   const std::vector<Entry> levels = map.list("levels");
   if (levels.empty() || levels.size() > kMostLevels) map.fail("has no levels, or more than 13");
@@ -189,6 +202,7 @@ BakedMaps readMaps(const GlbDocument& document, const Entry& map) {
     const std::uint64_t side = size >> level;
     if (levels[level].at("size").whole(4096) != side) levels[level].at("size").fail("must be " + std::to_string(side));
     bytes.push_back(viewBytes(document, levels[level], "bufferView", 6 * side * side * 8));
+    budget.spend(bytes.back().size(), levels[level]);
   }
   BakedMaps maps;
   maps.radiance = CubeMap(static_cast<int>(size), static_cast<int>(levels.size()));
@@ -200,6 +214,7 @@ BakedMaps readMaps(const GlbDocument& document, const Entry& map) {
     const std::size_t side = distance.at("size").whole(4096);
     if (side == 0) distance.at("size").fail("is 0");
     const std::string_view values = viewBytes(document, distance, "bufferView", std::uint64_t(6) * side * side * 4);
+    budget.spend(values.size(), distance);
     maps.distance = CubeMap(static_cast<int>(side), 1);
     for (std::size_t i = 0; i < values.size() / 4; ++i) {
       float value = 0.0f;
@@ -216,13 +231,13 @@ BakedMaps readMaps(const GlbDocument& document, const Entry& map) {
 }
 
 void saveMap(const GlbDocument& document, const Entry& extension, const Entry& owner, const Probe& probe,
-             const std::string& folder, std::set<std::size_t>& used) {
+             const std::string& folder, std::set<std::size_t>& used, Budget& budget) {
   const std::vector<Entry> all = extension.list("maps");
   if (all.empty()) owner.at("map").fail("the file has no maps");
   const std::size_t number = owner.at("map").whole(all.size() - 1);
   if (!used.insert(number).second) owner.at("map").fail("map " + std::to_string(number) + " has an owner already");
   const Entry& map = all[number];
-  BakedMaps maps = readMaps(document, map);
+  BakedMaps maps = readMaps(document, map, budget);
   if (!map.has("inputs")) return;  // of a probe that is not baked
   const auto record = BakeRecord::parse(map.at("inputs").text());
   if (!record) map.at("inputs").fail("is no record of a bake");
@@ -258,11 +273,10 @@ void unpackGlb(const std::string& path, const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
-  std::size_t left = document.binary.size();  // files may name one view again and again
+  Budget pictures(document), spent(document);
   for (const Entry& file : extension.list("files")) {
     const std::string_view bytes = viewBytes(document, file, "bufferView", std::nullopt);
-    if (bytes.size() > left) file.fail("the pictures have more bytes than the file");
-    left -= bytes.size();
+    pictures.spend(bytes.size(), file);
     writeTextAtomically((fs::path(folder) / file.at("name").text()).string(), std::string(bytes));
   }
   const std::string maps = (fs::path(folder) / kMaps).string();
@@ -273,12 +287,12 @@ void unpackGlb(const std::string& path, const std::string& folder) {
     const auto index = findProbe(scene, name);
     if (!index) entry.fail("\"" + name + "\" is no probe of the scene");
     if (!saved.insert(name).second) entry.fail("\"" + name + "\" is there twice");
-    if (entry.has("map")) saveMap(document, extension, entry, scene.probes[*index], maps, used);
+    if (entry.has("map")) saveMap(document, extension, entry, scene.probes[*index], maps, used, spent);
   }
   if (extension.has("sky")) {
     Probe sky;
     sky.name.clear();
-    saveMap(document, extension, extension.at("sky"), sky, maps, used);
+    saveMap(document, extension, extension.at("sky"), sky, maps, used, spent);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/io/files/temporary_file.h"
 #include "filters/platform/folders.h"
+#include "filters/platform/input_file.h"
 #include "filters/platform/output_file.h"
 
 namespace boxprobe {
@@ -109,6 +110,13 @@ void writeAtomically(const std::string& path, const std::function<void(const std
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (target.filename().empty() || fs::is_directory(target, ignored)) {
     throw WorkError(path + ": is a folder; name a file in it");
+  }
+  // A rename would put a file in the place of the device.
+  if (const auto there = fileStatus(target.string()); there && there->kind == FileStatus::Kind::Other) {
+    throw WorkError(path + ": is a pipe or device, not a file; name a file");
+  }
+  if (fs::is_symlink(fs::symlink_status(target, ignored))) {
+    throw WorkError(path + ": its links lead round in a circle; name another file");
   }
   if (!fs::is_directory(folder, ignored)) {
     throw WorkError(path + ": the folder " + folder.string() + " does not exist; make it first");

@@ -4,6 +4,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/obj/obj_file.h"
 #include "filters/vtk/import/ply_reader.h"
 #include "filters/vtk/import/stl_reader.h"
@@ -15,6 +16,7 @@ namespace {
 
 /// Git LFS leaves pointers, three lines of text, in place of large files until they are fetched.
 void refusePointer(const std::string& path) {
+  requireInputFile(path);  // a pipe would be waited for
   constexpr char kFirstLine[] = "version https://git-lfs";
   char start[sizeof(kFirstLine)] = {};
   std::ifstream(path, std::ios::binary).read(start, sizeof(kFirstLine) - 1);
