@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/web/markup.h"
+#include "app/web/page_policy.h"
 #include "app/web/web_source.h"
 #include "filters/io/files/atomic_file.h"
 
@@ -18,7 +19,7 @@ std::string viewerPage(const std::string& title) {
   for (std::size_t at = 0; (at = page.find(mark, at)) != std::string::npos; at += text.size()) {
     page.replace(at, mark.size(), text);
   }
-  return page;
+  return withPolicy(page, {" 'self'", " 'self'", "connect-src 'self'; "});
 }
 
 }  // namespace

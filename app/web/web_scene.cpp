@@ -1,6 +1,8 @@
 // See web_scene.h.
 #include "app/web/web_scene.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,6 +47,11 @@ OrderedJson numbersOf(const Vector& v) {
   return json;
 }
 
+/// CRC-32, as PNG and ZIP have it.
+unsigned long crc32Of(const std::string& bytes) {
+  return ::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+}
+
 OrderedJson shJson(const ShCoefficients& sh) {
   OrderedJson json = OrderedJson::array();
   for (const glm::vec3& c : sh) {
@@ -73,6 +80,7 @@ class Writer {
     json["splitSum"] = {{"size", kBrdfTableSize}, {"file", splitSumFile()}};
     json["prefilter"] = prefilterJson();
     json["shaders"] = shadersJson();
+    for (const WebFile& file : made_.files) json["sums"][file.name] = crc32Of(file.bytes);
     made_.json = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     return std::move(made_);
   }

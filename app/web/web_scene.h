@@ -17,7 +17,7 @@ struct WebFile {
 };
 
 struct WebScene {
-  std::string json;                  ///< names the files below
+  std::string json;                  ///< names the files below, with the CRC-32 of each under "sums"
   std::vector<WebFile> files;        ///< vertices, textures, cubemaps (KTX2), the split-sum table
   std::vector<std::string> remarks;  ///< what the browser will not show as the program does, one sentence each
 };

@@ -48,7 +48,7 @@ class Probes {
         Object.assign(object.shadow, { normalBias: size / 4096, bias: -1e-5 }).mapSize.set(4096, 4096);
         object.position.copy(object.parent.worldToLocal(all.getCenter(new Vector3())));
       } else if (object.isMesh) object.castShadow = !object.material.transparent && !object.material.transmission, object.receiveShadow = true, object.material.shadowSide = DoubleSide;
-      const settings = data.scene.objects?.[this.nodeName(object)] || {};
+      const objects = data.scene.objects || {}, name = this.nodeName(object), settings = Object.hasOwn(objects, name) ? objects[name] : {};
       if (settings.visible === false) object.visible = false;
       if (object.isMesh && object.material.isMeshStandardMaterial && settings.probeMode !== 'off') meshes.push([object, settings]);
     });

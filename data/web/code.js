@@ -86,8 +86,13 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
       const { canvas } = this.room.gl;
       this.room.row = this.room.findRow('box', 'none');
       canvas.setAttribute('aria-label', say('The room, with the code’s lookup in its mirror floor'));
-      canvas.addEventListener('webglcontextlost', () => { this.said.textContent = say('The browser has taken the graphics card away: when it comes back, the code is the one at the start.'); });
-      this.picture.addEventListener('boxproberestored', () => this.put(this.data.start));
+      // Taken away, it may have been by what was written; given back out of view, it was not.
+      canvas.addEventListener('webglcontextlost', () => {
+        if (this.room.given) return;
+        this.room.custom = null;
+        this.said.textContent = say('The browser has taken the graphics card away: when it comes back, the code is the one at the start.');
+      });
+      this.picture.addEventListener('boxproberestored', ({ detail }) => (detail.given ? this.compile() : this.put(this.data.start)));
       new ResizeObserver(() => this.redraw()).observe(canvas);
       this.put(this.data.start);
       return true;
@@ -108,7 +113,7 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
     compile() {
       const { room } = this, code = this.area.value, count = code.split('\n').length, safe = bounded(code);
       let errors = safe.text === undefined ? [safe] : [];
-      if (!errors.length && !room.gl.isContextLost()) {
+      if (!errors.length && room.ready) {
         const before = room.custom;
         room.custom = { [PIECE]: `int bpTurns = ${LOOPS};\nbool bpGo() { return bpTurns-- > 0; }\n${MARK}${safe.text}\n${WRAP}` };
         try {
@@ -138,7 +143,7 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
 
     draw() {
       const { room } = this, { gl } = room, { canvas } = gl;
-      if (gl.isContextLost()) return;
+      if (!room.ready) return;
       const width = Math.max(Math.min(Math.round(canvas.clientWidth), 800), 1), height = Math.max(Math.round(width / 1.6), 1), bytes = 4 * width * height;
       if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
       const read = () => { const pixels = new Uint8Array(bytes); gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels); return pixels; };

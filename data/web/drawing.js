@@ -4,9 +4,9 @@ const boxprobeDrawing = (() => {
   const NO_HIT = 3.0e38;
 
   // The page's own words in its language, by the English ones (data/lessons/page); without them it is English.
-  const words = JSON.parse(document.getElementById('page-texts')?.textContent || '{}');
+  const words = new Map(Object.entries(JSON.parse(document.getElementById('page-texts')?.textContent || '{}')));
   /** "{0}", "{1}" .. in the text are the values. */
-  const say = (text, ...values) => (words[text] ?? text).replace(/\{(\d)\}/g, (_, i) => values[i]);
+  const say = (text, ...values) => (words.get(text) ?? text).replace(/\{(\d)\}/g, (_, i) => values[i]);
 
   function element(name, attributes, parent, text) {
     const made = name === 'svg' || parent instanceof SVGElement ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);

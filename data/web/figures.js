@@ -175,7 +175,7 @@
       this.waiting = true;
       requestAnimationFrame(() => {
         this.waiting = false;
-        if (this.room.gl.isContextLost()) return;
+        if (!this.room.ready) return;
         const finer = Math.min(window.devicePixelRatio || 1, 2);
         const width = Math.max(Math.round(this.canvas.clientWidth * finer), 1), height = Math.max(Math.round(width / ASPECT), 1);
         if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });

@@ -25,6 +25,17 @@
     return [0, 1, 2, 3].flatMap((column) => clip.map((row) => row[column]));
   }
 
+  const CRC = Uint32Array.from({ length: 256 }, (_, n) => {
+    for (let bit = 0; bit < 8; bit++) n = n & 1 ? 0xedb88320 ^ n >>> 1 : n >>> 1;
+    return n;
+  });
+  /** CRC-32 of bytes, as PNG and ZIP have it. */
+  function crc32(bytes) {
+    let sum = -1;
+    for (let i = 0; i < bytes.length; i++) sum = CRC[(sum ^ bytes[i]) & 255] ^ sum >>> 8;
+    return ~sum >>> 0;
+  }
+
   /** Levels of an uncompressed cube of half floats: [level][face] as Uint16Array, largest first (KTX 2.0). */
   function ktx2Levels(buffer) {
     const view = new DataView(buffer), levels = [];
@@ -34,6 +45,8 @@
     }
     return { size: view.getUint32(20, true), levels };
   }
+
+  const pictureOf = (bytes) => createImageBitmap(new Blob([bytes], { type: 'image/png' }), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
 
   class Room {
     constructor(gl, scene, files) {
@@ -46,6 +59,9 @@
       this.roughness = null;  // of what mirrors; null: each material's own
       const first = scene.probes[0] ? scene.probes[0].technique.split('+') : ['box', 'none'];
       this.row = this.findRow(...first) || this.findRow('box', 'footprint4');
+      this.loaded = this.given = false;  // given: the context was given back
+      this.losses = 0;  // of the context
+      this.drawn = () => {};  // called after each picture
       this.custom = null;  // texts that take the place of shader files, by name; null: none
       this.extensions();
       const info = gl.getExtension('WEBGL_debug_renderer_info');
@@ -57,17 +73,25 @@
       this.gl.getExtension('OES_texture_float_linear');
     }
 
-    /** All of it again, in a context that was lost and has come back: what it held is gone. */
+    /** All of it, in a context that is new, or was lost and has come back: what it held is gone. */
     async restore() {
-      const moved = this.probes.map((probe) => (probe.captured && probe.map === probe.captured ? probe.origin : null));
       this.programs.clear();
       this.framebuffer = this.space = undefined;
       this.extensions();
       await this.load();
-      this.probes.forEach((probe, i) => {
+      for (const probe of this.probes) {
         delete probe.captured;
-        if (moved[i]) this.recapture(probe, moved[i]);
-      });
+        if (probe.recaptured) this.capture(probe);
+      }
+    }
+
+    /** Whether it can be drawn: its context is there, and holds all of it. */
+    get ready() { return this.loaded && !this.gl.isContextLost(); }
+
+    /** Throws what WebGL holds against what was drawn: something is missing in the picture then. */
+    check() {
+      const error = this.gl.getError();
+      if (error && !this.gl.isContextLost()) throw new Error(`WebGL error ${error}`);
     }
 
     findRow(projection, evaluation) {
@@ -75,11 +99,19 @@
     }
 
     async load() {
-      const { gl, scene } = this;
+      const { gl, scene, losses } = this;
+      // Into a context that was lost meanwhile, and has come back, half of it would be left.
+      const whole = (what) => {
+        if (losses !== this.losses || gl.isContextLost()) throw new Error('the graphics card was taken away');
+        return what;
+      };
       const bytes = async (name) => {
         const answer = await fetch(this.files(name));
         if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
-        return answer.arrayBuffer();
+        const read = await answer.arrayBuffer();
+        // Within one text nothing is cut off or exchanged alone.
+        if (!scene.files && crc32(new Uint8Array(read)) !== scene.sums[name]) throw new Error(`${name} is cut off, damaged or of another export`);
+        return whole(read);
       };
       this.vertices = gl.createVertexArray();
       gl.bindVertexArray(this.vertices);
@@ -108,15 +140,14 @@
           const use = material[key];
           if (!use) continue;
           const id = use.file + srgb + use.wrap + use.nearest;
-          if (!pictures.has(id)) pictures.set(id, this.picture(await bytes(use.file), use, srgb));
-          use.texture = await pictures.get(id);
+          if (!pictures.has(id)) pictures.set(id, this.picture(whole(await pictureOf(await bytes(use.file))), use, srgb));
+          use.texture = pictures.get(id);
         }
       }
     }
 
-    async picture(bytes, use, srgb) {
+    picture(image, use, srgb) {
       const { gl } = this;
-      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
       const texture = gl.createTexture(), wraps = [gl.REPEAT, gl.CLAMP_TO_EDGE, gl.MIRRORED_REPEAT];
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.texImage2D(gl.TEXTURE_2D, 0, srgb ? gl.SRGB8_ALPHA8 : gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, image);
@@ -334,10 +365,15 @@
     /** The probe's cubemap again from `origin`, in the world: faces drawn without reflections (the first bounce), levels filtered by
      * the program's own prefilter. What bakes after more bounces see, and irradiance, stay as they were exported. */
     recapture(probe, origin) {
-      const { gl, scene } = this, { texts } = scene.shaders, size = probe.faceSize, samples = 2 * size;
       const moved = probe.axes.map((axis) => dot(axis, sub(origin, probe.origin)));
       for (const key of ['boxMin', 'boxMax', 'influenceMin', 'influenceMax']) probe[key] = sub(probe[key], moved);
       probe.origin = origin;
+      probe.recaptured = true;
+      if (this.ready) this.capture(probe);  // otherwise as soon as it is
+    }
+
+    capture(probe) {
+      const { gl, scene } = this, { texts } = scene.shaders, size = probe.faceSize, samples = 2 * size, { origin } = probe;
       const space = this.space = this.space && this.space.size === size ? this.space : this.captureSpace(size, samples);
       const faces = [[[1, 0, 0], [0, 0, -1], [0, -1, 0]], [[-1, 0, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
         [[0, -1, 0], [1, 0, 0], [0, 0, -1]], [[0, 0, 1], [1, 0, 0], [0, -1, 0]], [[0, 0, -1], [-1, 0, 0], [0, -1, 0]]];
@@ -426,6 +462,7 @@
       const tangent = Math.tan(camera.verticalFovDegrees * Math.PI / 360);
       this.drawView({ eye: camera.position, axes: viewAxes(camera), tangents: [tangent * width / height, tangent], near: Math.max(far * 1e-4, 0.01), far, width, height,
         exposure: scene.exposure, capture: false, probes: true });
+      this.drawn();
     }
   }
 
@@ -437,10 +474,125 @@
     return made;
   }
 
+  /** A room's hold on its WebGL context. A browser keeps some 16 contexts and takes the oldest away for another one: out of view the room
+   * gives its own back, and it takes it again when it comes into view. Meanwhile its last picture stands in the place of the canvas. */
+  class Hold {
+    constructor(host, room) {
+      Object.assign(this, { host, room, canvas: room.gl.canvas, near: true, busy: false });
+      this.context = room.gl.getExtension('WEBGL_lose_context');  // null: the browser keeps that to itself, and the room its context
+      this.still = element('canvas', { 'aria-hidden': 'true' });
+      this.there = Promise.resolve();  // pending while the context is lost
+      this.canvas.addEventListener('webglcontextlost', (event) => {
+        event.preventDefault();  // it may come back
+        this.lost();
+      });
+      this.canvas.addEventListener('webglcontextrestored', () => this.restored());
+      room.drawn = () => {
+        clearTimeout(this.later);
+        this.later = setTimeout(() => this.keep(), 300);  // when nothing moves any more
+      };
+    }
+
+    /** Comes into view, or leaves it. */
+    look(near) {
+      this.near = near;
+      const { room } = this;
+      if (!this.context || this.failed) return;
+      if (near && room.gl.isContextLost()) {
+        this.context.restoreContext();
+      } else if (!near && room.ready && !this.busy) {
+        this.keep();
+        room.given = true;
+        this.context.loseContext();
+      }
+    }
+
+    keep() {
+      const { still, canvas } = this;
+      if (!this.room.ready) return;
+      Object.assign(still, { width: canvas.width, height: canvas.height });
+      still.getContext('2d').drawImage(canvas, 0, 0);
+      this.kept = true;
+    }
+
+    lost() {
+      const { room, host } = this;
+      if (this.failed) return;
+      room.losses++;
+      room.loaded = false;
+      if (!this.near) room.given = true;  // nobody sees it
+      this.there = new Promise((resolve) => { this.back = resolve; });
+      this.focused = document.activeElement === this.canvas;
+      if (this.kept && this.canvas.isConnected) this.canvas.replaceWith(this.still);
+      if (!room.given) this.line = this.line || element('p', { class: 'room-said', role: 'alert' }, host, say('The browser has taken the graphics card away from this room. If it does not come back, load the page again to draw it.'));
+      else if (this.near) setTimeout(() => this.look(this.near));  // it has come into view again since
+    }
+
+    async restored() {
+      const { room, host } = this;
+      this.back();
+      if (this.busy || this.failed) return;  // whoever loads begins again
+      try {
+        await this.bring();
+      } catch (error) {
+        this.fail(error);
+        return;
+      }
+      this.still.replaceWith(this.canvas);
+      if (this.focused && document.activeElement === document.body) this.canvas.focus({ preventScroll: true });
+      this.unsay();
+      const { given } = room;
+      room.given = false;
+      if (host.boxprobePanel) host.boxprobePanel.redraw();
+      host.dispatchEvent(new CustomEvent('boxproberestored', { detail: { given } }));
+      this.look(this.near);
+    }
+
+    /** Loads what the context holds and draws it; once more if the context is lost meanwhile. `prepare`: of the first picture. */
+    async bring(prepare) {
+      const { room } = this, { gl } = room;
+      this.busy = true;
+      try {
+        for (let losses = -1; losses !== room.losses || gl.isContextLost();) {
+          await this.there;
+          losses = room.losses;
+          for (let i = 0; i < 8 && gl.getError(); i++);  // those of what was lost
+          try {
+            await room.restore();
+            if (prepare) prepare(room);
+            prepare = null;  // once
+            room.draw();
+            room.check();
+          } catch (error) {
+            if (losses === room.losses && !gl.isContextLost()) throw error;
+          }
+        }
+        room.loaded = true;
+      } finally {
+        this.busy = false;
+      }
+    }
+
+    unsay() {
+      if (this.line) this.line.remove();
+      this.line = null;
+    }
+
+    /** The end: a line in the canvas's place, or below the last picture. */
+    fail(error) {
+      this.failed = true;
+      this.room.loaded = false;
+      this.canvas.remove();
+      this.unsay();
+      element('p', { class: 'room-said', role: 'alert' }, this.host, say('The scene cannot be drawn here ({0}): the pictures show what could be moved.', error.message));
+    }
+  }
+
   class Panel {
-    constructor(host, room, options) {
+    constructor(host, room, options, failed) {
       this.room = room;
       this.host = host;
+      this.failed = failed;
       this.options = options;
       this.canvas = room.gl.canvas;
       this.controls = element('div', { class: 'room-sliders' }, host);
@@ -456,11 +608,16 @@
       this.waiting = true;
       requestAnimationFrame(() => {
         this.waiting = false;
-        if (this.room.gl.isContextLost()) return;
+        if (!this.room.ready) return;
         const finer = Math.min(window.devicePixelRatio || 1, 2), shape = this.options.shape || 1.6;
         const width = Math.max(Math.round(this.canvas.clientWidth * finer), 1), height = Math.max(Math.round(width / shape), 1);
         if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
-        this.room.draw();
+        try {
+          this.room.draw();
+        } catch (error) {
+          this.failed(error);
+          return;
+        }
         this.host.dataset.drawn = String(Number(this.host.dataset.drawn || 0) + 1);
         this.host.dispatchEvent(new Event('boxprobechange'));
       });
@@ -530,7 +687,7 @@
       }
       const reset = element('button', { type: 'button' }, this.controls, say('Start again'));
       reset.addEventListener('click', () => {
-        room.probes.forEach((p, i) => Object.assign(p, copy(scene.probes[i]), { map: p.baked }));
+        room.probes.forEach((p, i) => Object.assign(p, copy(scene.probes[i]), { map: p.baked, recaptured: false }));
         room.roughness = null;
         room.camera = copy(scene.cameras[0]);
         this.build();
@@ -595,14 +752,26 @@
     if (scene.cameras.slice(1).some((camera) => camera.name === view.camera.name)) view.camera.name += ' of the lesson';
     room.camera = copy(view.camera);
     for (const object of scene.objects) object.visible = object.visible && !view.hidden.includes(object.name);
-    for (const material of scene.materials) material.roughness = view.roughness[material.name] ?? material.roughness;
+    for (const material of scene.materials) if (Object.hasOwn(view.roughness, material.name)) material.roughness = view.roughness[material.name];
     view.boxes.forEach((box, i) => [scene.probes[i], room.probes[i]].forEach((probe) => Object.assign(probe, { boxMin: [...box.min], boxMax: [...box.max] })));
     room.row = room.findRow(...view.technique.split('+')) || room.row;
   };
 
-  /** `files`: address of a file that the JSON names; `panel` false: no controls. Resolves when the first picture is loaded; `host.boxprobeRoom` is the Room. */
+  /** `files`: address of a file that the JSON names; `panel` false: no controls. Begins when the host comes into view and resolves when the
+   * first picture is loaded; `host.boxprobeRoom` is the Room. */
   window.boxprobeRoom = async (host, scene, options = {}) => {
-    const canvas = element('canvas', { tabindex: 0, role: 'img', 'aria-label': say('The scene: drag or use the arrow keys to look around, + and - to come nearer') });
+    let hold = null;
+    await new Promise((resolve) => {
+      // What is seen at once need not wait for the page's first frame.
+      const { top, bottom, width } = host.getBoundingClientRect();
+      if (window === window.top && width > 0 && top < innerHeight && bottom >= 0) resolve();
+      new IntersectionObserver((entries) => {
+        const near = entries[entries.length - 1].isIntersecting;
+        if (near) resolve();
+        if (hold) hold.look(near);
+      }, { rootMargin: '200px' }).observe(host);
+    });
+    const canvas = element('canvas', { width: 480, height: 300, tabindex: 0, role: 'img', 'aria-label': say('The scene: drag or use the arrow keys to look around, + and - to come nearer') });
     const gl = canvas.getContext('webgl2', { antialias: options.antialias !== false, preserveDrawingBuffer: true, alpha: false });
     if (!gl) {
       element('p', { class: 'room-said' }, host, say('This browser has no WebGL2: the pictures show what could be moved here.'));
@@ -610,26 +779,17 @@
     }
     try {
       const room = new Room(gl, copy(scene), options.files || ((name) => (scene.files ? scene.files[name] : name)));
-      await room.load();
-      if (options.prepare) options.prepare(room);
+      hold = new Hold(host, room);
+      await hold.bring(options.prepare);
+      room.given = false;
+      hold.unsay();
       host.prepend(canvas);
       host.boxprobeRoom = room;
-      let lost = null;
-      canvas.addEventListener('webglcontextlost', (event) => {
-        event.preventDefault();  // it may come back
-        lost = lost || element('p', { class: 'room-said', role: 'alert' }, host, say('The browser has taken the graphics card away from this room. If it does not come back, load the page again to draw it.'));
-      });
-      canvas.addEventListener('webglcontextrestored', async () => {
-        await room.restore();
-        if (lost) lost.remove();
-        lost = null;
-        if (host.boxprobePanel) host.boxprobePanel.redraw();
-        host.dispatchEvent(new Event('boxproberestored'));
-      });
-      if (options.panel !== false) host.boxprobePanel = new Panel(host, room, options);
+      if (options.panel !== false) host.boxprobePanel = new Panel(host, room, options, (error) => hold.fail(error));
+      setTimeout(() => hold.look(hold.near));  // it may have left the view since
     } catch (error) {
-      canvas.remove();
-      element('p', { class: 'room-said' }, host, say('The scene cannot be drawn here ({0}): the pictures show what could be moved.', error.message));
+      if (hold) hold.fail(error);
+      else element('p', { class: 'room-said' }, host, say('The scene cannot be drawn here ({0}): the pictures show what could be moved.', error.message));
     }
   };
 })();

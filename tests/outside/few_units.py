@@ -236,6 +236,7 @@ def in_window(runs, name, scene, options, folder):
     try:
         window.do(*aside)
         before = window.at_rest(options.seconds)
+        shutil.copy(folder / f"window{window.number % 2}.png", folder / f"{name}-window-before.png")
         window.do("search", "--onlyvisible", "--name", "Boxprobe", "windowfocus")  # no window manager gives it the keys
         window.do(*middle, "key", "e")
         window.do("mousemove_relative", "15", "40")

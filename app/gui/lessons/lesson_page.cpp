@@ -15,6 +15,7 @@
 #include "app/lessons/page_sketches.h"
 #include "app/lessons/page_texts.h"
 #include "app/lessons/plan_figure.h"
+#include "app/web/page_policy.h"
 #include "app/web/web_source.h"
 
 namespace boxprobe {
@@ -281,6 +282,14 @@ std::string sourcesHtml(const std::vector<LessonSource>& sources, const PageText
   return text + "</ul>\n";
 }
 
+/// JSON within a script element: it must neither look as if the element ended nor as if a comment began, in which a
+/// script's end counts for nothing.
+std::string jsonScript(const std::string& id, const QString& json) {
+  QString safe = json;
+  safe.replace("</", "<\\/").replace("<!", "\\u003c!");
+  return "<script type=\"application/json\" id=\"" + id + "\">" + safe.toStdString() + "</script>\n";
+}
+
 std::string script(const char* file) {
   return "<script>\n" + std::string(webSource(file)) + "</script>\n";
 }
@@ -289,8 +298,7 @@ std::string script(const char* file) {
 std::string textsScript(const PageTexts& say) {
   QJsonObject texts;
   for (const auto& [english, text] : say.all()) texts[QString::fromStdString(english)] = QString::fromStdString(text);
-  return "<script type=\"application/json\" id=\"page-texts\">" +
-         QJsonDocument(texts).toJson(QJsonDocument::Compact).replace("</", "<\\/").toStdString() + "</script>\n";
+  return jsonScript("page-texts", QString::fromUtf8(QJsonDocument(texts).toJson(QJsonDocument::Compact)));
 }
 
 }  // namespace
@@ -298,10 +306,7 @@ std::string textsScript(const PageTexts& say) {
 LessonPage::LessonPage(PageTexts say) : say_(std::move(say)) {}
 
 void LessonPage::addScene(const std::string& path, const std::string& json) {
-  // In a script element the text must not look as if the element ended.
-  const QString safe = QString::fromStdString(json).replace("</", "<\\/");
-  sceneTexts_ += "<script type=\"application/json\" id=\"scene-" + std::to_string(scenes_.size()) + "\">" +
-                 safe.toStdString() + "</script>\n";
+  sceneTexts_ += jsonScript("scene-" + std::to_string(scenes_.size()), QString::fromStdString(json));
   scenes_.push_back(path);
 }
 
@@ -478,7 +483,9 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation,
                            "plan.js", "task.js", "page.js"}) {
     text += script(file);
   }
-  return text + "</body></html>\n";
+  // All of it stands in the page. Formulas and figures have styles of their own, as attributes, which have no hashes.
+  return withPolicy(text + "</body></html>\n",
+                    {"", "", "style-src-attr 'unsafe-inline'; img-src data:; media-src data:; connect-src data:; "});
 }
 
 }  // namespace boxprobe

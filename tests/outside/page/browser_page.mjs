@@ -50,6 +50,7 @@ export class BrowserPage {
     page.session = (await page.send('Target.attachToTarget', { targetId, flatten: true })).sessionId;
     await page.send('Page.enable');
     await page.send('Runtime.enable');
+    await page.send('Log.enable');
     await page.send('Emulation.setFocusEmulationEnabled', { enabled: true });
     await page.size(width, height, mobile);
     if (!scripts) await page.send('Emulation.setScriptExecutionDisabled', { value: true });
@@ -69,6 +70,8 @@ export class BrowserPage {
       this.awaited = null;
     } else if (message.method === 'Runtime.exceptionThrown') {
       this.messages.push(message.params.exceptionDetails.exception?.description || message.params.exceptionDetails.text);
+    } else if (message.method === 'Log.entryAdded' && message.params.entry.source === 'security') {
+      this.messages.push(message.params.entry.text);  // what the page's policy refused
     }
   }
 
@@ -109,7 +112,7 @@ export class BrowserPage {
     await loaded;
   }
 
-  /** What scripts threw and nobody caught. */
+  /** What scripts threw and nobody caught, and what the page's policy refused. */
   failures() { return this.messages; }
 
   /** The document as it stands, scripts or not. */
@@ -179,7 +182,8 @@ export async function roomPsnr(page, room, png, width, height) {
     Object.assign(gl.canvas, { width: ${width}, height: ${height} });
     room.draw(${width}, ${height});
     gl.readPixels(0, 0, ${width}, ${height}, gl.RGBA, gl.UNSIGNED_BYTE, ours);
-    const image = await createImageBitmap(await (await fetch('data:image/png;base64,${readFileSync(png).toString('base64')}')).blob(), { colorSpaceConversion: 'none' });
+    const bytes = Uint8Array.from(atob('${readFileSync(png).toString('base64')}'), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { colorSpaceConversion: 'none' });
     const canvas = new OffscreenCanvas(${width}, ${height}), context = canvas.getContext('2d');
     context.drawImage(image, 0, 0);
     const theirs = context.getImageData(0, 0, ${width}, ${height}).data;

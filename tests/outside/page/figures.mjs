@@ -195,6 +195,13 @@ await page.until(`!${host}.querySelector('.room-said') && Number(${host}.dataset
 await page.evaluate(`${figure}.setSize(1)`);
 const restored = await psnr('box');
 check(restored >= 40, `one that comes back draws as before: ${restored.toFixed(1)} dB from render (at least 40)`);
+await page.evaluate('scrollTo(0, document.documentElement.scrollHeight)');
+await page.until(`${figure}.room.gl.isContextLost()`, 20);
+await page.middle('[data-figure=infinity] .figure-both');
+await page.until(`${figure}.room.ready && !${figure}.waiting`, 60);
+check(await page.evaluate(`${figure}.canvas.isConnected && ${figure}.canvas.nextSibling === ${figure}.over && !${host}.querySelector('.room-said')`), 'scrolled away and back, it is alive again');
+const again = await psnr('box');
+check(again >= 40, `and draws as before: ${again.toFixed(1)} dB from render (at least 40)`);
 await page.close();
 const addressed = await BrowserPage.open(made('floor-mirror') + '#floor-mirror-2');
 check(await addressed.evaluate(`!document.getElementById('floor-mirror-2').hidden`), "a step's own address shows it");
@@ -398,6 +405,14 @@ await bench.until(`/taken the graphics card away/.test(${coding}.textContent)`, 
 await bench.evaluate('new Promise((resolve) => setTimeout(resolve, 200)).then(() => { taken.restoreContext(); })');
 await bench.until(`!${code}.room.gl.isContextLost() && !${code}.waiting && ${code}.difference === ${before0}`, 60);
 check(await bench.evaluate(`!${coding}.querySelector('.room-said') && ${code}.area.value === ${code}.data.start`), 'a graphics card that comes back draws the code of the start again');
+// Out of view its context is given back; in view again, what was written is still there.
+await written(body('return R;'));
+await bench.evaluate('scrollTo(0, 0)');
+await bench.until(`${code}.room.gl.isContextLost()`, 20);
+await bench.middle('[data-figure=code]');
+await bench.until(`${code}.room.ready && !${code}.waiting`, 60);
+const back = await codePsnr('infinite');
+check(back >= 40 && await bench.evaluate(`/return R;/.test(${code}.area.value) && !${coding}.querySelector('.room-said')`), `scrolled away and back, the code is as it was written: ${back.toFixed(1)} dB from render (at least 40)`);
 check((await bench.failures()).length === 0, `no script failed ${(await bench.failures()).join(' ')}`);
 await bench.size(360, 780, true);
 await bench.middle('[data-figure=code]');

@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { BrowserPage, check, roomPsnr } from './browser_page.mjs';
+import { checkPolicy } from './viewer_limits.mjs';
 
 const [program, oracle, scenes, out, drags = '1000'] = process.argv.slice(2);
 mkdirSync(out, { recursive: true });
@@ -115,7 +116,7 @@ const png = path.join(out, 'render.png'), width = 480, height = 300;
 for (const technique of ['infinite', 'box']) {
   execFileSync(program, ['render', path.join(scenes, 'room.boxprobe.json'), '-o', png, '--size', `${width}x${height}`, '--camera', 'A', '--samples', '1', '--quiet', '--technique', technique,
     '--set', 'probes.room.faceSize=128', '--set', 'probes.room.box.max=[5,3,3]', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
-  await page.evaluate(`(async () => { const host = document.createElement('div'); host.className = 'room-view'; document.body.append(host); const from = document.querySelector('.room-view');
+  await page.evaluate(`(async () => { const host = document.createElement('div'); host.className = 'room-view'; document.body.append(host); host.scrollIntoView(); const from = document.querySelector('.room-view');
     await boxprobeRoom(host, JSON.parse(document.getElementById(from.dataset.scene).textContent), { antialias: false, prepare: (room) => boxprobeView(room, JSON.parse(from.dataset.view)) });
     host.boxprobePanel.redraw = () => {}; window.plainRoom = host.boxprobeRoom; plainRoom.row = plainRoom.findRow('${technique}', 'none'); })()`);
   const db = await roomPsnr(page, 'plainRoom', png, width, height);
@@ -162,6 +163,7 @@ const wide = await page.evaluate('document.documentElement.scrollWidth');
 check(wide <= 390, `a telephone's width is enough (${wide} of 390)`);
 await page.screenshot(path.join(out, 'phone.png'));
 check((await page.failures()).length === 0, `no script failed ${(await page.failures()).join(' ')}`);
+await checkPolicy(page, 'the page of lessons');
 await page.close();
 
 // Without scripts: still plans with the same letters, answers that open.

@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { BrowserPage, check, roomPsnr, serve } from './browser_page.mjs';
+import { checkLimits } from './viewer_limits.mjs';
 
 const [program, scenes, out] = process.argv.slice(2);
 const width = 480, height = 300;
@@ -36,13 +37,15 @@ for (const test of cases) {
     open = test.scene;
     console.log(`${test.scene}: ${(bytes / 1e6).toFixed(1)} MB, drawn by ${await page.evaluate('document.querySelector("#room").boxprobeRoom?.renderer ?? document.querySelector("#room").textContent')}`);
     await page.screenshot(path.join(out, test.scene + '.png'));
-    await page.evaluate(`(async () => { const host = document.createElement('div'); host.id = 'plain'; host.className = 'room-view'; document.body.append(host); await boxprobeRoom(host, await (await fetch('scene.json')).json(), { antialias: false }); host.boxprobePanel.redraw = () => {}; })()`);
+    await page.evaluate(`(async () => { const host = document.createElement('div'); host.id = 'plain'; host.className = 'room-view'; document.body.append(host); host.scrollIntoView(); await boxprobeRoom(host, await (await fetch('scene.json')).json(), { antialias: false }); host.boxprobePanel.redraw = () => {}; })()`);
   }
   const png = path.join(out, 'render.png');
   boxprobe('render', file, '-o', png, '--size', `${width}x${height}`, '--camera', test.camera, '--samples', '1', '--technique', test.technique,
     ...(test.materials || []).flatMap((name) => ['--set', `materials.${name}.roughness=${test.roughness}`]),
     ...(test.origin ? ['--set', `probes.room.origin=${JSON.stringify(test.origin)}`] : []));
   const [projection, evaluation = 'none'] = test.technique.split('+');
+  await page.middle('#plain');
+  await page.until(`document.querySelector('#plain').boxprobeRoom.ready`, 60);
   await page.evaluate(`(() => { const room = document.querySelector('#plain').boxprobeRoom; room.camera = room.scene.cameras.find((c) => c.name === '${test.camera}');
     room.row = room.findRow('${projection}', '${evaluation}'); room.roughness = ${test.roughness ?? null};
     ${test.origin ? `room.recapture(room.probes[0], ${JSON.stringify(test.origin)});` : ''} })()`);
@@ -73,3 +76,4 @@ for (const test of cases) {
 check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
 await page.close();
 server.close();
+await checkLimits(program, scenes, out);

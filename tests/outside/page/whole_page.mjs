@@ -57,7 +57,7 @@ check(films.every((film, i) => !film.error && Math.abs(film.seconds - widgets.lo
 // Every task that stands beside a plan or a room: the browser begins where the program does.
 check(found.tasks >= 4, `${found.tasks} tasks are measured in the page`);
 for (let i = 0; i < found.tasks; i++) {
-  const name = await page.evaluate(`(() => { const task = document.querySelectorAll('[data-task]')[${i}]; task.closest('section').querySelector('.open-room')?.click(); return task.closest('section').querySelector('h3').id; })()`);
+  const name = await page.evaluate(`(() => { const task = document.querySelectorAll('[data-task]')[${i}]; const open = task.closest('section').querySelector('.open-room'); open?.scrollIntoView({ behavior: 'instant' }); open?.click(); return task.closest('section').querySelector('h3').id; })()`);
   await page.until(`!!document.querySelectorAll('[data-task]')[${i}].dataset.value`, 240);
   const task = await page.evaluate(`(() => { const task = document.querySelectorAll('[data-task]')[${i}]; return { value: Number(task.dataset.value), start: JSON.parse(task.dataset.task).start, done: task.classList.contains('done') }; })()`);
   check(!task.done && Math.abs(task.value - task.start) < 2e-3 * Math.max(1, task.start), `${name}: ${task.value.toFixed(4)}, in the program ${task.start.toFixed(4)}, not done yet`);
