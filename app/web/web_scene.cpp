@@ -111,12 +111,15 @@ class Writer {
 
   OrderedJson lightsJson() {
     OrderedJson lights = OrderedJson::array();
+    // What stands still shadows every light then.
+    const bool shapes = scene_.lamps == LampForm::Shapes && !captures_.empty();
+    if (shapes) remark("lamps: the page lights from the probes' maps, as \"in-map\" does");
     for (const Light& light : scene_.lights) {
       if (lights.size() == kMostWebLights) {
         remark("lights: more than " + std::to_string(kMostWebLights) + "; the page draws the first of them");
         break;
       }
-      if (light.shadows != LightShadows::None) remark("lights: the page draws no shadows");
+      if (shapes || light.shadows != LightShadows::None) remark("lights: the page draws no shadows");
       const auto cosine = [](double degrees) { return std::cos(glm::radians(degrees)); };
       lights.push_back({{"type", light.type == LightType::Directional ? 0
                                  : light.type == LightType::Point     ? 1

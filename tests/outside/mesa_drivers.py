@@ -16,6 +16,7 @@ import argparse
 import json
 import os
 import shutil
+import socket
 import subprocess
 import sys
 import time
@@ -48,7 +49,10 @@ class VirglServer:
     """Where it waits is the same for every user of a machine, and stays there when it is killed."""
 
     def __enter__(self):
-        VIRGL_SOCKET.unlink(missing_ok=True)
+        if VIRGL_SOCKET.exists():  # Mesa knows this place alone
+            if VIRGL_SOCKET.lstat().st_uid != os.getuid() or answers(VIRGL_SOCKET):
+                sys.exit(f"{VIRGL_SOCKET} is somebody else's: end that virgl server first")
+            VIRGL_SOCKET.unlink()
         command = ["virgl_test_server", "--use-egl-surfaceless"]
         self.started = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         for _ in range(100):
@@ -60,6 +64,12 @@ class VirglServer:
     def __exit__(self, *_):
         self.started.terminate()
         self.started.wait()
+
+
+def answers(path):
+    """Does a server listen at this socket?"""
+    with socket.socket(socket.AF_UNIX) as asked:
+        return asked.connect_ex(str(path)) == 0
 
 
 def small_captures(scene):

@@ -169,6 +169,22 @@ TEST_F(ModelGeometry, PrimitivesBecomeMeshesOfOneNode) {
   EXPECT_EQ(model.meshes[1].material, 0);
 }
 
+// A file of a few bytes may ask for a million copies in one place.
+TEST_F(ModelGeometry, CopiesInOnePlaceAreOne) {
+  glb.triangle();
+  const int places = glb.floats("VEC3", 3, {0, 0, 0, 1, 2, 3, 0, 0, 0, 4, 0, 0, 1, 2, 3});
+  Json& extensions = glb.json["nodes"][0]["extensions"];
+  extensions["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = places;
+  const Model model = load();
+  ASSERT_EQ(model.instances.size(), 3u);
+  EXPECT_EQ(model.instances[0].worldFromModel[3], glm::dvec4(0, 0, 0, 1));
+  EXPECT_EQ(model.instances[1].worldFromModel[3], glm::dvec4(1, 2, 3, 1));
+  EXPECT_EQ(model.instances[2].worldFromModel[3], glm::dvec4(4, 0, 0, 1));
+  extensions["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
+      glb.accessor(-1, GlbBuilder::Float, "VEC3", 1u << 20);
+  EXPECT_EQ(load().instances.size(), 1u);
+}
+
 TEST_F(ModelGeometry, NodesWithoutAnyNameAreCounted) {
   const int mesh = glb.mesh({{"attributes", {{"POSITION", glb.trianglePositions()}}}});
   glb.node({{"name", "first"}, {"mesh", mesh}});

@@ -1,4 +1,5 @@
 // Materials, textures and images out of glTF files.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "filters/io/gltf/model_file.h"
@@ -319,6 +320,20 @@ TEST_F(ManyPictures, ASecondLoadDecodesNothing) {
   const Model second = loadModelFile(write("second.glb", glb.glb()));
   EXPECT_EQ(imagePool().counts().decoded, between.decoded);
   EXPECT_EQ(second.materials[7].emissiveTexture.image, first.materials[7].emissiveTexture.image);
+}
+
+// A few compressed bytes may be gigabytes of pictures.
+TEST_F(ManyPictures, AreRefusedWhereTheMemoryDoesNotAllowThem) {
+  make(12);
+  const std::uint64_t most = imagePool().mostBytes();
+  EXPECT_GT(most, std::uint64_t(1) << 24);
+  imagePool().setMostBytes(12 * 4);
+  load();
+  imagePool().setMostBytes(12 * 4 - 1);
+  const std::string text = errorText([this] { load(); });
+  imagePool().setMostBytes(most);
+  EXPECT_THAT(text, testing::AllOf(testing::HasSubstr("m.glb"), testing::HasSubstr("use smaller pictures")));
+  load();
 }
 
 TEST_F(ManyPictures, LoadingReportsItsProgressAndCanBeStopped) {

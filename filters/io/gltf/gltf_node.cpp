@@ -1,9 +1,11 @@
 // Places what the nodes of a glTF file contain: meshes with their shapes and instances, lights, cameras.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
 #include <map>
+#include <numeric>
 
 #include "filters/io/gltf/gltf_parts.h"
 
@@ -21,6 +23,26 @@ Mesh mirrored(const Mesh& mesh) {
   for (std::size_t i = 0; i + 2 < copy.indices.size(); i += 3) std::swap(copy.indices[i + 1], copy.indices[i + 2]);
   for (glm::vec4& tangent : copy.tangents) tangent.w = -tangent.w;
   return copy;
+}
+
+/// Without those that equal an earlier one: copies in one place show nothing more, and rays meet every one of them.
+std::vector<glm::dmat4> distinct(const std::vector<glm::dmat4>& transforms) {
+  std::vector<std::size_t> order(transforms.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto compared = [&transforms](std::size_t a, std::size_t b) {
+    return std::memcmp(&transforms[a], &transforms[b], sizeof(glm::dmat4));
+  };
+  std::sort(order.begin(), order.end(), [&compared](std::size_t a, std::size_t b) {
+    const int difference = compared(a, b);
+    return difference != 0 ? difference < 0 : a < b;
+  });
+  std::vector<bool> again(transforms.size(), false);
+  for (std::size_t i = 1; i < order.size(); ++i) again[order[i]] = compared(order[i - 1], order[i]) == 0;
+  std::vector<glm::dmat4> kept;
+  for (std::size_t i = 0; i < transforms.size(); ++i) {
+    if (!again[i]) kept.push_back(transforms[i]);
+  }
+  return kept;
 }
 
 class NodeReader {
@@ -113,7 +135,7 @@ class NodeReader {
         shaped == shapes_.end() ? meshes_.primitives[meshOf(placed.index)] : shapedMesh(placed.index, shaped->second);
     const glm::dmat4 worldFromMesh =
         skinned ? glm::translate(glm::dmat4(1.0), glm::dvec3(placed.worldFromNode[3])) : placed.worldFromNode;
-    for (const glm::dmat4& instance : instanceTransforms(file_, placed.index)) {
+    for (const glm::dmat4& instance : distinct(instanceTransforms(file_, placed.index))) {
       const glm::dmat4 worldFromInstance = worldFromMesh * instance;
       const glm::dmat4 turned = skinned ? worldFromInstance * shaped->second.joints.front() : worldFromInstance;
       const bool mirrors = glm::determinant(glm::dmat3(turned)) < 0.0;

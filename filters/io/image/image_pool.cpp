@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <exception>
 
 #include "filters/core/base/errors.h"
@@ -11,6 +12,18 @@
 #include "filters/io/image/image_detail.h"
 
 namespace boxprobe {
+
+namespace {
+
+struct TooManyPixels {};
+
+std::string gigabytes(std::uint64_t bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g GB", static_cast<double>(bytes) / 1.0e9);
+  return text;
+}
+
+}  // namespace
 
 ImagePool& imagePool() {
   static ImagePool pool;
@@ -53,6 +66,7 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
   std::vector<std::exception_ptr> failures(images.size());
   std::atomic<std::size_t> next{0}, done{0};
   std::atomic<bool> stopped{false};
+  std::atomic<std::uint64_t> decoded{0};  // bytes
   const auto decodeNext = [&] {
     const std::size_t at = next++;
     if (at >= missing.size() || stopped) return false;
@@ -60,7 +74,15 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
     try {
       ImageRgba8 picture = decodeImage8(image.data, image.size, image.place);
       picture.name = image.name;
+      if ((decoded += picture.pixels.size()) > mostBytes_ && mostBytes_ > 0) {
+        stopped = true;
+        throw TooManyPixels();
+      }
       result[missing[at]] = std::make_shared<const ImageRgba8>(std::move(picture));
+    } catch (const TooManyPixels&) {
+      failures[missing[at]] = std::make_exception_ptr(
+          InputError(image.place + ": with the model's other pictures it comes to more than " + gigabytes(mostBytes_) +
+                     ", a sixth of this machine's memory; use smaller pictures"));
     } catch (const InputError& problem) {
       problems[missing[at]] = problem.what();
     } catch (...) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "filters/core/scene/model.h"
+#include "filters/platform/process.h"
 
 namespace boxprobe {
 
@@ -36,6 +37,10 @@ class ImagePool {
                                                         const std::function<void(double)>& progress,
                                                         std::vector<std::string>& problems);
   ImageCounts counts() const;
+  /// Of the pictures of one call, decoded; more is an InputError with the picture's place. 0: no limit. At first a
+  /// sixth of the machine's memory, since drawing takes about four times the pictures' own.
+  void setMostBytes(std::uint64_t bytes) { mostBytes_ = bytes; }
+  std::uint64_t mostBytes() const { return mostBytes_; }
 
  private:
   using Key = std::array<std::uint64_t, 2>;
@@ -44,6 +49,7 @@ class ImagePool {
   mutable std::mutex mutex_;
   std::map<Key, std::weak_ptr<const ImageRgba8>> known_;
   ImageCounts counts_;
+  std::uint64_t mostBytes_ = physicalMemoryBytes() / 6;
 };
 
 ImagePool& imagePool();
