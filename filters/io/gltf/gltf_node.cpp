@@ -1,7 +1,6 @@
 // Places what the nodes of a glTF file contain: meshes with their shapes and instances, lights, cameras.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
 #include <map>
@@ -29,15 +28,18 @@ Mesh mirrored(const Mesh& mesh) {
 std::vector<glm::dmat4> distinct(const std::vector<glm::dmat4>& transforms) {
   std::vector<std::size_t> order(transforms.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto compared = [&transforms](std::size_t a, std::size_t b) {
-    return std::memcmp(&transforms[a], &transforms[b], sizeof(glm::dmat4));
+  // By their bytes, which have an order whatever the numbers are.
+  const auto bytes = [&transforms](std::size_t i) { return reinterpret_cast<const unsigned char*>(&transforms[i]); };
+  const auto equal = [&bytes](std::size_t a, std::size_t b) {
+    return std::equal(bytes(a), bytes(a) + sizeof(glm::dmat4), bytes(b));
   };
-  std::sort(order.begin(), order.end(), [&compared](std::size_t a, std::size_t b) {
-    const int difference = compared(a, b);
-    return difference != 0 ? difference < 0 : a < b;
+  std::sort(order.begin(), order.end(), [&bytes, &equal](std::size_t a, std::size_t b) {
+    if (equal(a, b)) return a < b;
+    return std::lexicographical_compare(bytes(a), bytes(a) + sizeof(glm::dmat4), bytes(b),
+                                        bytes(b) + sizeof(glm::dmat4));
   });
   std::vector<bool> again(transforms.size(), false);
-  for (std::size_t i = 1; i < order.size(); ++i) again[order[i]] = compared(order[i - 1], order[i]) == 0;
+  for (std::size_t i = 1; i < order.size(); ++i) again[order[i]] = equal(order[i - 1], order[i]);
   std::vector<glm::dmat4> kept;
   for (std::size_t i = 0; i < transforms.size(); ++i) {
     if (!again[i]) kept.push_back(transforms[i]);
