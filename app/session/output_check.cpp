@@ -19,8 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Two options that name one file: what is written first would be lost.
+/// Two options of a command that name one file: what is written first would be lost. A window may write it again.
 void requireAnother(const std::string& option, const std::string& path) {
+  if (option.empty() || option.front() != '-') return;
   static std::map<std::string, std::string> options;
   std::error_code ignored;
   const std::string target = fs::weakly_canonical(writtenPath(path), ignored).string();
