@@ -17,7 +17,10 @@ constexpr std::array<GLenum, 2> kMirrorBuffers = {GL_COLOR_ATTACHMENT0, GL_COLOR
 
 }  // namespace
 
-void MirrorTarget::allocate(int width, int height, int samples, bool mips) {
+void MirrorTarget::allocate(int width, int height, int wantedSamples, bool mips) {
+  GLint most = 1;  // software renderers may have no more
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  const int samples = std::min(wantedSamples, std::max(most, 1));
   int levels = 1;
   for (int size = std::max(width, height); mips && size > 1; size /= 2) ++levels;
   if (resolved_.made() && width == width_ && height == rows_ && samples == samples_ && levels == levels_) return;

@@ -20,9 +20,9 @@ class MirrorTarget {
   MirrorTarget(const MirrorTarget&) = delete;
   MirrorTarget& operator=(const MirrorTarget&) = delete;
 
-  /// `samples`: 1 or several; `mips`: a whole chain, or only the finest level. Does nothing if all values are
-  /// unchanged. Throws WorkError if the driver refuses.
-  void allocate(int width, int height, int samples, bool mips);
+  /// `wantedSamples`: 1 or several, fewer if the driver has no more; `mips`: a whole chain, or only the finest level.
+  /// Does nothing if all values are unchanged. Throws WorkError if the driver refuses.
+  void allocate(int width, int height, int wantedSamples, bool mips);
   void release();
 
   /// Clears to transparent black at the far plane.
