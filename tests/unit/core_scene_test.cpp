@@ -133,6 +133,16 @@ TEST(Difference, ChangesAddUp) {
             "shape technique capture list materials objects lights sky models cameras exposure selection file ");
 }
 
+// What lights beyond those with code of their own go without.
+TEST(Remarks, ManyLightsShineThroughEverything) {
+  Scene scene = twoProbes();
+  scene.lights.resize(32);
+  EXPECT_THAT(featuresNotUsed(scene), IsEmpty());
+  scene.lights.resize(33);
+  EXPECT_THAT(featuresNotUsed(scene),
+              ElementsAre(AllOf(HasSubstr("lights: are 33"), HasSubstr("31 can have shadows"))));
+}
+
 TEST(Remarks, PlainScenesHaveNone) {
   EXPECT_THAT(featuresNotUsed(twoProbes()), IsEmpty());
 }

@@ -97,6 +97,12 @@ std::vector<std::string> featuresNotUsed(const Scene& scene) {
            "is realtime: it sees what moves, and a planar mirror in its reach shows that a second time.");
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) lightRemarks(remarks, scene, i);
+  if (scene.lights.size() > kMostShadowLights + 1) {
+    remark(remarks, {"lights"},
+           "are " + std::to_string(scene.lights.size()) + ", and " + std::to_string(kMostShadowLights) +
+               " can have shadows: directional ones first, then those that ask for them. The others shine through "
+               "everything.");
+  }
   return remarks;
 }
 

@@ -273,10 +273,10 @@ void unpackGlb(const std::string& path, const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
-  Budget pictures(document), spent(document);
+  Budget forPictures(document), forMaps(document);
   for (const Entry& file : extension.list("files")) {
     const std::string_view bytes = viewBytes(document, file, "bufferView", std::nullopt);
-    pictures.spend(bytes.size(), file);
+    forPictures.spend(bytes.size(), file);
     writeTextAtomically((fs::path(folder) / file.at("name").text()).string(), std::string(bytes));
   }
   const std::string maps = (fs::path(folder) / kMaps).string();
@@ -287,12 +287,12 @@ void unpackGlb(const std::string& path, const std::string& folder) {
     const auto index = findProbe(scene, name);
     if (!index) entry.fail("\"" + name + "\" is no probe of the scene");
     if (!saved.insert(name).second) entry.fail("\"" + name + "\" is there twice");
-    if (entry.has("map")) saveMap(document, extension, entry, scene.probes[*index], maps, used, spent);
+    if (entry.has("map")) saveMap(document, extension, entry, scene.probes[*index], maps, used, forMaps);
   }
   if (extension.has("sky")) {
     Probe sky;
     sky.name.clear();
-    saveMap(document, extension, extension.at("sky"), sky, maps, used, spent);
+    saveMap(document, extension, extension.at("sky"), sky, maps, used, forMaps);
   }
 }
 

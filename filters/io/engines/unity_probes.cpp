@@ -182,8 +182,10 @@ class UnityReader {
     const auto found = objects_.find(transformId);
     if (found == objects_.end()) return {};
     const UnityObject& transform = found->second;
-    if (depth > kDeepest)
-      fail(transform, "m_Father: the transforms go round in a circle, or are more than 256 levels deep");
+    if (depth > kDeepest) {
+      fail(transform, "m_Father: the transforms go round in a circle, or are more than " + std::to_string(kDeepest) +
+                          " levels deep");
+    }
     const glm::dvec4 q = vector(transform, "m_LocalRotation", {0, 0, 0, 1});
     const double length2 = glm::dot(q, q);
     if (!(length2 > 1e-12)) fail(transform, "m_LocalRotation: is no rotation");

@@ -31,7 +31,7 @@ void ListedLights::set(const std::vector<Light>& lights, const glm::dvec3& cente
 void ListedLights::startLists() {
   texels_.resize(kTexels * lights_.size());
   lists_.clear();
-  uploaded_ = false;
+  uploaded_ = 0;
 }
 
 ListedLights::Reaching ListedLights::reaching(const double* boundsWorld) {
@@ -53,38 +53,45 @@ ListedLights::Reaching ListedLights::reaching(const double* boundsWorld) {
     texels_.back()[reached.count % 4] = static_cast<float>(i);
     ++reached.count;
   }
-  uploaded_ = false;
   lists_.emplace(bounds, reached);
   return reached;
 }
 
 GLuint ListedLights::texture() {
-  if (handle_ != 0 && uploaded_) return handle_;
+  if (handle_ != 0 && uploaded_ == texels_.size()) return handle_;
   GLint previous = 0, alignment = 4;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &previous);
   glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
   if (handle_ == 0) glGenTextures(1, &handle_);
   glBindTexture(GL_TEXTURE_2D, handle_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  const std::size_t rows = (texels_.size() + kWidth - 1) / kWidth;
-  std::vector<glm::vec4> whole = texels_;
-  whole.resize(std::max<std::size_t>(rows, 1) * kWidth);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(kWidth), static_cast<GLsizei>(whole.size() / kWidth),
-               0, GL_RGBA, GL_FLOAT, whole.data());
+  const std::size_t rows = std::max<std::size_t>((texels_.size() + kWidth - 1) / kWidth, 1);
+  const auto width = static_cast<GLsizei>(kWidth);
+  if (rows > rows_) {
+    rows_ = std::max(rows, 2 * rows_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, static_cast<GLsizei>(rows_), 0, GL_RGBA, GL_FLOAT, nullptr);
+    uploaded_ = 0;
+  }
+  // Each object adds its list to the last rows: only those are uploaded.
+  const std::size_t first = uploaded_ / kWidth;
+  std::vector<glm::vec4> last(texels_.begin() + static_cast<std::ptrdiff_t>(first * kWidth), texels_.end());
+  last.resize((rows - first) * kWidth);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(first), width, static_cast<GLsizei>(rows - first), GL_RGBA,
+                  GL_FLOAT, last.data());
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
     glTexParameteri(GL_TEXTURE_2D, name, GL_NEAREST);
   }
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(previous));
-  uploaded_ = true;
+  uploaded_ = texels_.size();
   return handle_;
 }
 
 void ListedLights::release() {
   if (handle_ != 0) glDeleteTextures(1, &handle_);
   handle_ = 0;
-  uploaded_ = false;
+  uploaded_ = rows_ = 0;
 }
 
 }  // namespace boxprobe

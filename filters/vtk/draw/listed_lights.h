@@ -49,7 +49,8 @@ class ListedLights {
   glm::dvec3 center_{0.0};
   std::vector<glm::vec4> texels_;  // lights, then indices, four a texel
   std::map<std::array<double, 6>, Reaching> lists_;
-  bool uploaded_ = false;
+  std::size_t uploaded_ = 0;  // of texels_, in the texture
+  std::size_t rows_ = 0;      // of the texture
   GLuint handle_ = 0;
 };
 

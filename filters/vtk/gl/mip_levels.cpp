@@ -83,9 +83,7 @@ bool MipLevels::ready() {
 }
 
 void MipLevels::make(GLuint texture, GLenum internalFormat, int width, int height) {
-  // Other software renderers, softpipe and zink on lavapipe, read a level wrongly while the next is drawn to.
-  const bool llvmpipe = rendererName().rfind("llvmpipe", 0) == 0;
-  if (!llvmpipe || !tunedForCpu() || !ready()) {
+  if (!tunedForCpu() || !drawsLevelFromLevel() || !ready()) {
     glGenerateMipmap(GL_TEXTURE_2D);
     return;
   }

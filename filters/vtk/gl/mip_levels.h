@@ -16,8 +16,8 @@ class MipLevels {
   MipLevels& operator=(const MipLevels&) = delete;
 
   /// Makes levels 1 and up of the texture bound to GL_TEXTURE_2D of the active unit, RGBA8 or SRGB8_ALPHA8 of that
-  /// size. Sets its filters and wrap modes; other state is preserved. Uses glGenerateMipmap on graphics cards, or if
-  /// the program cannot be used.
+  /// size. Sets its filters and wrap modes; other state is preserved. Uses glGenerateMipmap on graphics cards, and
+  /// where the program cannot be used or the driver draws wrongly.
   void make(GLuint texture, GLenum internalFormat, int width, int height);
   void release();
 

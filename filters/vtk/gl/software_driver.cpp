@@ -27,6 +27,11 @@ bool tunedForCpu() {
   return asked == "cpu" || (asked != "gpu" && drawsOnCpu());
 }
 
+bool drawsLevelFromLevel() {
+  const std::string renderer = rendererName();
+  return renderer.find("softpipe") == std::string::npos && renderer.find("zink") == std::string::npos;
+}
+
 float textureAnisotropy() {
   if (const char* asked = std::getenv("BOXPROBE_ANISOTROPY")) {
     return static_cast<float>(std::clamp(std::atoi(asked), 1, 16));

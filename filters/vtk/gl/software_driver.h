@@ -17,6 +17,10 @@ bool drawsOnCpu();
 /// Pictures that are written are the same either way to 1/255.
 bool tunedForCpu();
 
+/// May a mip level be drawn from the one above it in the same texture, as OpenGL allows? Softpipe and zink of Mesa 22.3
+/// read the level above wrongly then.
+bool drawsLevelFromLevel();
+
 /// The value for GL_TEXTURE_MAX_ANISOTROPY_EXT: what the environment variable BOXPROBE_ANISOTROPY says (1 to 16), else
 /// 8 on graphics cards, 1 (off) on software renderers and without a context. It changes pictures, so what measures
 /// accuracy sets and names it. In llvmpipe, anisotropic sampling of a degenerate footprint, as in a triangle seen

@@ -599,7 +599,7 @@ void vtkProbePass::Upload(vtkShaderProgram* program, const double* boundsWorld) 
   } else if (this->Made.form == boxprobe::LightForm::Multiple) {
     boxprobe::uploadSplitSum(to, state.resources);
   }
-  if (program->IsUniformUsed("bpLightList")) {
+  if (!state.resources.listedLights->empty() && program->IsUniformUsed("bpLightList")) {
     boxprobe::uploadListedLights(to, *state.resources.listedLights);
   }
   if (this->Asked.heights) {
