@@ -4,9 +4,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "app/cli/command/bake_command.h"
@@ -33,6 +31,14 @@
 namespace {
 
 using namespace boxprobe;
+
+/// The file that a sub-command works on; its own name where none was given.
+std::string inputOf(const CLI::App& arguments) {
+  for (const CLI::Option* option : arguments.get_options()) {
+    if (option->get_positional() && !option->results().empty()) return option->results().front();
+  }
+  return arguments.get_name();
+}
 
 int run(int& argc, char** argv) {
   CLI::App program("Places reflection probes, shows what box projection does to them, and draws the result.",
@@ -81,7 +87,7 @@ int run(int& argc, char** argv) {
     if (!scenePath.empty()) throw InputError(scenePath + ": not expected before a sub-command; see boxprobe --help");
     if (!window.statsPath.empty()) throw InputError("--stats belongs after the sub-command; see boxprobe --help");
     const InterruptGuard interrupt;
-    subcommand.run();
+    withMemoryFor(inputOf(*subcommand.arguments), [&] { subcommand.run(); });
     finishResults();
     if (interrupt.interrupted()) throw WorkError("interrupted; what was asked for was done by then");
     return 0;
@@ -100,16 +106,8 @@ int main(int argc, char** argv) {
   } catch (const boxprobe::Error& error) {
     printError(error.what());
     return boxprobe::endQuickly(error.exitStatus());
-  } catch (const std::bad_alloc&) {
-    printError("out of memory");
-  } catch (const std::system_error& error) {
-    const bool limited = error.code() == std::errc::resource_unavailable_try_again;  // what starting a thread says
-    printError(
-        limited
-            ? "the system gives no more threads or memory; close other programs, or raise the limits (ulimit -u, -v)"
-            : error.what());
   } catch (const std::exception& error) {
-    printError(error.what());
+    printError(boxprobe::messageOf(error));
   }
   return boxprobe::endQuickly(1);
 }

@@ -139,7 +139,11 @@ std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const L
     std::shared_ptr<const Model>& loaded = byFile[{model.file, model.variant, model.time}];
     const double before = static_cast<double>(models.size()), all = static_cast<double>(scene.models.size());
     const LoadProgress share = [&](double done) { return !progress || progress((before + done) / all); };
-    if (!loaded) loaded = std::make_shared<const Model>(readModel(model.file, share, {model.variant, model.time}));
+    if (!loaded) {
+      loaded = withMemoryFor(model.file, [&] {
+        return std::make_shared<const Model>(readModel(model.file, share, {model.variant, model.time}));
+      });
+    }
     models.push_back(loaded);
   }
   return models;
@@ -173,7 +177,9 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std
   return warnings;
 }
 
-LoadedScene loadScene(const std::string& path, const std::vector<std::string>& assignments,
+namespace {
+
+LoadedScene readScene(const std::string& path, const std::vector<std::string>& assignments,
                       const LoadProgress& progress, FitWishes wishes) {
   const double begun = processCpuSeconds();
   std::error_code ignored;
@@ -208,6 +214,13 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
     loaded.warnings.insert(loaded.warnings.end(), loaded.fit->warnings.begin(), loaded.fit->warnings.end());
   loaded.loadCpuSeconds = processCpuSeconds() - begun;
   return loaded;
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::string& path, const std::vector<std::string>& assignments,
+                      const LoadProgress& progress, FitWishes wishes) {
+  return withMemoryFor(path, [&] { return readScene(path, assignments, progress, std::move(wishes)); });
 }
 
 }  // namespace boxprobe

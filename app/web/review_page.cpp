@@ -9,6 +9,7 @@
 #include "app/session/program_name.h"
 #include "app/web/base64.h"
 #include "app/web/markup.h"
+#include "app/web/page_policy.h"
 #include "app/web/web_source.h"
 #include "filters/core/scene/bounces.h"
 #include "filters/io/image/image_file.h"
@@ -250,19 +251,21 @@ std::string ReviewPage::text() const {
                            : "<p class=\"verdict bad\">Failed: the error of " + std::to_string(failed_) + " of " +
                                  count(cameras_, "camera", "cameras") + " is above " + limit + ".</p>\n";
   }
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width, initial-scale=1\">\n<title>Report: " +
-         names_ + "</title>\n<style>\n" + std::string(webSource("review.css")) +
-         "</style></head><body>\n<main>\n<h1>Report: " + names_ + "</h1>\n" + verdict +
-         "<div class=\"scroll\"><table><thead><tr><th scope=\"col\">Camera</th><th scope=\"col\">Relative RMSE</th><th "
-         "scope=\"col\">Light</th><th scope=\"col\">Noise</th>" +
-         (settings_.failAbove ? "<th scope=\"col\">Limit</th>" : "") + "</tr></thead><tbody>\n" + rows_ +
-         "</tbody></table></div>\n<p class=\"dim\">Relative RMSE: the root of the summed squared differences from the "
-         "path-traced picture divided by that picture's summed squares, in linear light, with the path tracer's noise "
-         "subtracted; 0 means equal. Light: the drawn picture's mean divided by the traced one's. Error maps show "
-         "display colours.</p>\n" +
-         sections_ + "</main>\n<footer><p>" + kProgramName + "</p><pre><code>" + markup(settings_.command) +
-         "</code></pre></footer>\n<script>\n" + std::string(webSource("review.js")) + "</script></body></html>\n";
+  const std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n<title>Report: " +
+      names_ + "</title>\n<style>\n" + std::string(webSource("review.css")) +
+      "</style></head><body>\n<main>\n<h1>Report: " + names_ + "</h1>\n" + verdict +
+      "<div class=\"scroll\"><table><thead><tr><th scope=\"col\">Camera</th><th scope=\"col\">Relative RMSE</th><th "
+      "scope=\"col\">Light</th><th scope=\"col\">Noise</th>" +
+      (settings_.failAbove ? "<th scope=\"col\">Limit</th>" : "") + "</tr></thead><tbody>\n" + rows_ +
+      "</tbody></table></div>\n<p class=\"dim\">Relative RMSE: the root of the summed squared differences from the "
+      "path-traced picture divided by that picture's summed squares, in linear light, with the path tracer's noise "
+      "subtracted; 0 means equal. Light: the drawn picture's mean divided by the traced one's. Error maps show "
+      "display colours.</p>\n" +
+      sections_ + "</main>\n<footer><p>" + kProgramName + "</p><pre><code>" + markup(settings_.command) +
+      "</code></pre></footer>\n<script>\n" + std::string(webSource("review.js")) + "</script></body></html>\n";
+  return withPolicy(page, {"", "", "img-src data:; style-src-attr 'unsafe-inline'; "});
 }
 
 }  // namespace boxprobe

@@ -10,7 +10,9 @@
 #include <QTest>
 #include <QToolButton>
 #include <QTreeView>
+#include <glm/geometric.hpp>
 
+#include "app/gui/edit/probe_copies.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/panels/outliner.h"
 #include "app/gui/view/viewport.h"
@@ -102,6 +104,58 @@ TEST_F(ProbeCommandsTest, CopyAndPasteGoThroughTheTextOfASceneFile) {
   for (const std::string& pasted : {one, "[" + one + "]", "{\"probes\": [" + one + "]}"}) {
     EXPECT_EQ(probesFromText(pasted).front().name, "hall") << pasted;
   }
+}
+
+// The first copy of a place that is taken goes one step, the next two; one that stands apart stays.
+TEST(ProbeCopies, StandBesideOneAnotherAndKeepTheRest) {
+  Probe hall;
+  hall.name = "hall";
+  hall.box = {{-1.0, 0.25, -3.0}, {4.0, 2.0, 0.5}};
+  hall.influence = Box{{-0.5, 0.5, -2.0}, {3.0, 1.5, 0.25}};
+  hall.origin = {1.25, 1.0, -0.75};
+  hall.rotationDegrees = {10.0, 35.0, -5.0};
+  Scene scene;
+  scene.probes = {hall};
+  ProbeCopies copies(scene);
+  constexpr int kCopies = 10000;
+  for (int i = 1; i <= kCopies; ++i) {
+    Probe copy = copies.add(hall);
+    ASSERT_EQ(copy.name, "hall " + std::to_string(i + 1));
+    const glm::dvec3 by = copy.origin - hall.origin;
+    ASSERT_NEAR(glm::length(by), 0.1 * 5.0 * i, 1e-7);
+    copy.name = "hall";
+    const Probe moved = movedProbe(hall, by);
+    ASSERT_LT(glm::length(copy.box.max - moved.box.max) + glm::length(copy.influence->min - moved.influence->min),
+              1e-7);
+  }
+  Probe apart = movedProbe(hall, {0.0, 20.0, 0.0});
+  apart.name = "apart";
+  EXPECT_TRUE(copies.add(apart) == apart);
+}
+
+TEST_F(ProbeCommandsTest, AHundredArePastedAsOneStepAndAllAreShown) {
+  QString text = "[";
+  for (int i = 0; i < 100; ++i) {
+    text += QString(R"(%1{"name": "p%2", "origin": [%2, 1, 0], "box": {"min": [%3, 0, -1], "max": [%4, 2, 1.5]}})")
+                .arg(i > 0 ? ", " : "")
+                .arg(i)
+                .arg(i - 1)
+                .arg(i + 2);
+  }
+  QApplication::clipboard()->setText(text + "]");
+  window_->viewport().setFocus();
+  key(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_EQ(count(), 101u);
+  EXPECT_EQ(document().undoLabel(), "Paste 100 probes");
+  EXPECT_TRUE(row(100).isValid());
+  EXPECT_EQ(probe(100).name, "p99");
+  key(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_EQ(count(), 201u);
+  EXPECT_EQ(probe(200).name, "p99 2");
+  EXPECT_GT(probe(200).origin.x, probe(100).origin.x);
+  document().undo();
+  document().undo();
+  EXPECT_EQ(count(), 1u);
 }
 
 TEST_F(ProbeCommandsTest, PastedTextThatIsNoProbeIsOneLineAndChangesNothing) {

@@ -11,6 +11,7 @@ and where it ends by a signal. Prints a table in Markdown; times and memory are 
 import argparse
 import json
 import os
+import re
 import resource
 import struct
 import subprocess
@@ -160,24 +161,35 @@ def large(folder, count):
     return [path]
 
 
+def read_limits():
+    """The limits of filters/core/base/file_limits.h by name; numbers, shifts and products of numbers."""
+    found = {}
+    for name, value in re.findall(r"^constexpr [\w: ]+ (k\w+) = ([^;]+);", (ROOT / "filters/core/base/file_limits.h").read_text(), re.M):
+        value = re.sub(r"std::\w+\((\d+)\)", r"\1", value)
+        number = re.fullmatch(r"(0x[0-9a-f]+|[\d.e+]+)[uL]*(?: << (\d+))?", value)
+        found[name] = int(number[1], 16) if number[1].startswith("0x") else int(float(number[1])) << int(number[2] or 0)
+    return found
+
+
+AT = read_limits()
 INFO, RENDER = ["info"], ["render", "-o", os.devnull + ".png", "--size", "32x18"]
 # What is counted, the limit, how a file of so many is made, by which command it is opened, what lies beyond.
 LIMITS = [
-    ("probes of a scene", 10000, probes, INFO, 10001, 2),
-    ("lights of a scene", 10000, lights, INFO, 10001, 2),
-    ("lights of a scene, drawn", 10000, lights, RENDER, 10001, 2),
-    ("cameras of a scene", 10000, cameras, INFO, 10001, 2),
-    ("bytes of a scene file", 256 << 20, large, INFO, (256 << 20) + 1, 2),
-    ("instances of a glTF file", 1 << 20, instances, INFO, (1 << 20) + 1, 2),
-    ("emissive triangles drawn as shapes", 10000, shining, INFO, 10001, 0),
-    ("corners of an OBJ file's polygon", 4096, text("polygon.obj", polygon), INFO, 4097, 2),
-    ("largest coordinate, world space", 10 ** 15, far, INFO, 2 * 10 ** 15, 2),
-    ("elements of a PLY file", 256, text("elements.ply", ply_elements), INFO, 257, 2),
-    ("pieces of a VTP file", 1000, text("pieces.vtp", lambda n: vtp(n, 0)), INFO, 1001, 2),
-    ("arrays of a VTP file's piece", 1000, text("arrays.vtp", lambda n: vtp(1, n)), INFO, 1001, 2),
-    ("side of a picture, pixels", 32768, lambda folder, n: pictured(folder, n, max(1, n // 2)) if n < 20000 else pictured(folder, n, 2), INFO,
-     32769, 2),
-    ("pixels of a picture", 1 << 27, lambda folder, n: pictured(folder, 16384, n // 16384), INFO, (1 << 27) + 16384, 2),
+    ("probes of a scene", AT["kEntries"], probes, INFO, AT["kEntries"] + 1, 2),
+    ("lights of a scene", AT["kEntries"], lights, INFO, AT["kEntries"] + 1, 2),
+    ("lights of a scene, drawn", AT["kEntries"], lights, RENDER, AT["kEntries"] + 1, 2),
+    ("cameras of a scene", AT["kEntries"], cameras, INFO, AT["kEntries"] + 1, 2),
+    ("bytes of a scene file", AT["kSceneBytes"], large, INFO, AT["kSceneBytes"] + 1, 2),
+    ("instances of a glTF file", AT["kGltfInstances"], instances, INFO, AT["kGltfInstances"] + 1, 2),
+    ("emissive triangles drawn as shapes", AT["kLampTriangles"], shining, INFO, AT["kLampTriangles"] + 1, 0),
+    ("corners of an OBJ file's polygon", AT["kPolygonCorners"], text("polygon.obj", polygon), INFO, AT["kPolygonCorners"] + 1, 2),
+    ("largest coordinate, world space", AT["kWorldCoordinate"], far, INFO, 2 * AT["kWorldCoordinate"], 2),
+    ("elements of a PLY file", AT["kPlyElements"], text("elements.ply", ply_elements), INFO, AT["kPlyElements"] + 1, 2),
+    ("pieces of a VTP file", AT["kVtpPieces"], text("pieces.vtp", lambda n: vtp(n, 0)), INFO, AT["kVtpPieces"] + 1, 2),
+    ("arrays of a VTP file's piece", AT["kVtpArrays"], text("arrays.vtp", lambda n: vtp(1, n)), INFO, AT["kVtpArrays"] + 1, 2),
+    ("side of a picture, pixels", AT["kPictureSide"], lambda folder, n: pictured(folder, n, max(1, n // 2)) if n < 20000 else pictured(folder, n, 2), INFO,
+     AT["kPictureSide"] + 1, 2),
+    ("pixels of a picture", AT["kPicturePixels"], lambda folder, n: pictured(folder, 16384, n // 16384), INFO, AT["kPicturePixels"] + 16384, 2),
 ]
 
 

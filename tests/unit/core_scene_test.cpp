@@ -54,6 +54,19 @@ TEST(Names, FindsProbesAndProposesFreeOnes) {
   EXPECT_EQ(unusedProbeName(Scene(), ""), "probe");
 }
 
+TEST(Names, ManyNewOnesAreEachTheFirstThatIsFree) {
+  Scene scene = twoProbes();
+  scene.probes[1].name = "room 3";
+  ProbeNames names(scene);
+  EXPECT_EQ(names.take("room"), "room 2");
+  EXPECT_EQ(names.take("room"), "room 4");
+  EXPECT_EQ(names.take("attic"), "attic");
+  EXPECT_EQ(names.take("room 4"), "room 4 2");
+  EXPECT_EQ(names.take("attic"), "attic 2");
+  EXPECT_EQ(names.take("room"), "room 5");
+  for (int i = 6; i <= 20000; ++i) ASSERT_EQ(names.take("room"), "room " + std::to_string(i));
+}
+
 TEST(Names, NearestIsProposedAndWildGuessesAreNot) {
   const std::vector<std::string> names = {"roughness", "metallic", "ior"};
   EXPECT_EQ(nearestName("rougness", names), "roughness");

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/io/scene/scene_reference.h"
 #include "filters/math/technique/parameter_table.h"
@@ -190,7 +191,7 @@ TEST(SceneFields, NumbersEndWhereTheirRowsSay) {
       if (!isNumber(*field) || !std::holds_alternative<double>(standard)) continue;
       const FieldRange r = field->range;
       SCOPED_TRACE(field->key);
-      if (r.lowest > -kLargestNumber) {
+      if (r.lowest > -limits::kNumber) {
         EXPECT_THAT(rangeProblem(*field, r.lowest - 1.0), HasSubstr("part." + std::string(field->key) + ": is "));
         if (r.aboveLowest) {
           EXPECT_NE(rangeProblem(*field, r.lowest), "");
@@ -199,7 +200,7 @@ TEST(SceneFields, NumbersEndWhereTheirRowsSay) {
         }
         ++ends;
       }
-      if (r.highest < kLargestNumber) {
+      if (r.highest < limits::kNumber) {
         EXPECT_THAT(rangeProblem(*field, r.highest + 1.0), HasSubstr("must be"));
         if (r.belowHighest) {
           EXPECT_NE(rangeProblem(*field, r.highest), "");

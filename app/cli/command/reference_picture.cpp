@@ -25,6 +25,7 @@
 #include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/scene/bounces.h"
 #include "filters/core/scene/material_override.h"
 #include "filters/io/files/atomic_file.h"
@@ -228,8 +229,8 @@ std::optional<ReferencePicture> sharedPicture(const BakeShare& share, const std:
                                               const std::function<ReferencePicture(const PicturePart&)>& trace) {
   const FrameSize size = parseFrameSize(options.size);
   const PicturePart part = rowsOfShare(size.width, size.height, share);
-  constexpr std::int64_t kMostPixels = std::int64_t(1) << 27;  // that loadHdrImage reads; a band has its rows twice
-  if (2 * static_cast<std::int64_t>(size.width) * (part.bottom - part.top) > kMostPixels) {
+  // A band has its rows twice.
+  if (2 * static_cast<std::int64_t>(size.width) * (part.bottom - part.top) > limits::kPicturePixels) {
     throw InputError("--shard " + options.shard + ": too many pixels in a share of --size " + options.size +
                      "; use more shares");
   }

@@ -6,6 +6,8 @@
 #include <exception>
 #include <utility>
 
+#include "filters/core/base/errors.h"
+
 namespace boxprobe {
 
 namespace {
@@ -45,7 +47,7 @@ void BackgroundWork::start(Work work) {
         return !stop_;
       });
     } catch (const std::exception& caught) {
-      error = QString::fromUtf8(caught.what());
+      error = QString::fromStdString(messageOf(caught));
     }
     {
       const std::lock_guard<std::mutex> lock(resultMutex_);

@@ -309,7 +309,7 @@ void DebugView::saveRays() {
     rays_->save(path.toStdString());
     emit message(tr("Saved %1 lines to %2").arg(rays_->rays()).arg(path));
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(QString::fromStdString(messageOf(error)));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/lessons/lesson_measure.h"
+#include "filters/core/base/errors.h"
 
 namespace boxprobe {
 
@@ -58,7 +59,7 @@ void LessonCheck::measure() {
     stale_ = false;
   } catch (const std::exception& error) {
     task_.reset();  // it would fail again at every change
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(QString::fromStdString(messageOf(error)));
     return;
   }
   lastCost_ = clock.elapsed();

@@ -24,6 +24,7 @@
 #include "app/gui/widgets/message_box.h"
 #include "app/lessons/lesson_language.h"
 #include "app/lessons/lesson_measure.h"
+#include "filters/core/base/errors.h"
 #include "filters/io/gltf/model_file.h"
 #include "filters/vtk/scene_renderer.h"
 
@@ -158,7 +159,7 @@ void LessonView::guarded(const Work& work) {
     emit message(tr("Loading cancelled; the scene is unchanged."));
   } catch (const std::exception& error) {
     held_.release();
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(QString::fromStdString(messageOf(error)));
   }
 }
 
@@ -167,7 +168,7 @@ void LessonView::readLessons() {
     list_ = loadLessons(folder_, lessonLanguage(language_, folder_));
   } catch (const std::exception& error) {
     list_ = {};
-    list_.errors.emplace_back(error.what());
+    list_.errors.push_back(messageOf(error));
   }
   read_ = true;
   panel_->list()->show(list_);

@@ -12,6 +12,7 @@
 
 #include "app/gui/view/viewport.h"
 #include "app/lessons/published_picture.h"
+#include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -102,7 +103,7 @@ void PublishedOverlay::turn() {
         tr("The picture with the published formula, drawn on the CPU. It is drawn again when you move the view."));
     place();
   } catch (const std::exception& error) {
-    note_->setText(QString::fromUtf8(error.what()));
+    note_->setText(QString::fromStdString(messageOf(error)));
     place();
   }
   drawing_.reset();

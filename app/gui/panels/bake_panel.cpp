@@ -18,6 +18,7 @@
 #include "app/gui/widgets/panel_layout.h"
 #include "app/session/opened_glb.h"
 #include "app/session/program_name.h"
+#include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"
 
 namespace boxprobe {
@@ -105,7 +106,7 @@ void BakePanel::sceneOpened(const std::string& scenePath) {
   try {
     if (!scenePath.empty()) folder = bakedFolderOf(scenePath);
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(QString::fromStdString(messageOf(error)));
   }
   renderer_.useBakedFiles(folder);
   const QDir files(QString::fromStdString(folder));
@@ -219,7 +220,7 @@ void BakePanel::saveNext() {
     }
   } catch (const std::exception& error) {
     toSave_.clear();
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(QString::fromStdString(messageOf(error)));
   }
   update();
 }

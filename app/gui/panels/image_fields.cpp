@@ -15,6 +15,7 @@
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
+#include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
 #include "filters/io/cube/cube_file.h"
 
@@ -143,7 +144,7 @@ void ImageFields::choose() {
         edited.decode = code.decode;
       });
     } catch (const std::exception& error) {
-      warnUser(form_->parentWidget()->window(), tr("Cannot use this image"), QString::fromUtf8(error.what()));
+      warnUser(form_->parentWidget()->window(), tr("Cannot use this image"), QString::fromStdString(messageOf(error)));
     }
   }
   emit answered();

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <numeric>
 #include <utility>
 
+#include "app/gui/edit/probe_copies.h"
 #include "app/session/fit_scene.h"
-#include "filters/vtk/widgets/handle_drag.h"
 
 namespace boxprobe {
 
@@ -43,16 +44,13 @@ void ProbeCommands::duplicateProbe() {
   const std::vector<std::size_t> selected = editor_.selected();
   if (selected.empty()) return;
   const QString from = editor_.selectedName();
-  Scene after = editor_.scene();
+  std::vector<Probe> all = editor_.scene().probes, made;
+  ProbeCopies copy(editor_.scene());
+  for (const std::size_t index : selected) made.push_back(copy.add(all[index]));
   const std::size_t at = selected.back() + 1;
-  std::vector<std::size_t> copies;
-  for (const std::size_t index : selected) {
-    Probe copy = besideOthers(after.probes[index], after.probes);
-    copy.name = unusedProbeName(after, copy.name);
-    copies.push_back(at + copies.size());
-    after.probes.insert(after.probes.begin() + static_cast<std::ptrdiff_t>(copies.back()), copy);
-  }
-  const std::vector<Probe> all = after.probes;
+  all.insert(all.begin() + static_cast<std::ptrdiff_t>(at), made.begin(), made.end());
+  std::vector<std::size_t> copies(made.size());
+  std::iota(copies.begin(), copies.end(), at);
   editor_.commit(tr("Duplicate %1").arg(from), [all](Scene& scene) { scene.probes = all; });
   editor_.selectProbes(copies);
 }

@@ -643,6 +643,30 @@
         <source>Ask &amp;later</source>
         <translation>&amp;Später fragen</translation>
     </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset. Start Boxprobe again to see the scene.</source>
+        <translation>Der Grafiktreiber wurde zurückgesetzt. Starten Sie Boxprobe neu, um die Szene zu sehen.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are kept and offered after the start.</source>
+        <translation>Ungespeicherte Änderungen sind gesichert und werden nach dem Start angeboten.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes could not be kept. Save the scene first.</source>
+        <translation>Ungespeicherte Änderungen konnten nicht gesichert werden. Speichern Sie zuerst die Szene.</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Neu starten</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>&amp;Jetzt nicht</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>

@@ -643,6 +643,30 @@
         <source>Ask &amp;later</source>
         <translation>稍后询问(&amp;L)</translation>
     </message>
+    <message>
+        <source>No picture</source>
+        <translation>没有画面</translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset. Start Boxprobe again to see the scene.</source>
+        <translation>图形驱动已重置。请重新启动 Boxprobe 以查看场景。</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are kept and offered after the start.</source>
+        <translation>未保存的更改已保留，启动后会提示恢复。</translation>
+    </message>
+    <message>
+        <source>Unsaved changes could not be kept. Save the scene first.</source>
+        <translation>未能保留未保存的更改。请先保存场景。</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>重新启动(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>暂不(&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>

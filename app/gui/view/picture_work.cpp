@@ -12,6 +12,7 @@
 #include "app/gui/view/rest_refinement.h"
 #include "app/gui/view/viewport.h"
 #include "app/session/fit_scene.h"
+#include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -23,17 +24,20 @@ PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, View
       renderer_(renderer),
       viewport_(viewport),
       beforePicture_(std::move(beforePicture)),
-      scheduler_(new RenderScheduler(
-          {[this] { return viewport_.readyToDraw(); }, [this] { draw(); }, [this] { return renderer_.workPending(); },
-           [this] {
-             guarded([this] {
-               viewport_.window3d()->MakeCurrent();
-               renderer_.step();
-             });
-           },
-           [this] { return renderer_.workProgress(); },
-           [this] { return renderer_.frameCount().more() && renderer_.error().empty(); }},
-          this)),
+      scheduler_(new RenderScheduler({[this] {
+                                        viewport_.noticeLostContext();
+                                        return viewport_.readyToDraw();
+                                      },
+                                      [this] { draw(); }, [this] { return renderer_.workPending(); },
+                                      [this] {
+                                        guarded([this] {
+                                          viewport_.window3d()->MakeCurrent();
+                                          renderer_.step();
+                                        });
+                                      },
+                                      [this] { return renderer_.workProgress(); },
+                                      [this] { return renderer_.frameCount().more() && renderer_.error().empty(); }},
+                                     this)),
       motion_(new MotionPreview({[this](bool allowed) { renderer_.allowStandIns(allowed); },
                                  [this](bool moving) { return renderer_.setMoving(moving); }},
                                 this)),
@@ -93,7 +97,7 @@ void PictureWork::guarded(const Work& work) {
     work();
   } catch (const std::exception& error) {
     scheduler_->stopWork();  // it would fail again at every turn
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(QString::fromStdString(messageOf(error)));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/gui/view/display_image.h"
 #include "app/session/load_scene.h"
+#include "filters/core/base/errors.h"
 #include "filters/core/base/scope_exit.h"
 #include "filters/core/scene/bounces.h"
 #include "filters/reference/light/reference_scene.h"
@@ -114,7 +115,7 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
              pass.divisor == 1 || finer ? picture : nullptr, {});
       }
     } catch (const std::exception& caught) {
-      tell({}, 0.0, nullptr, QString::fromUtf8(caught.what()));
+      tell({}, 0.0, nullptr, QString::fromStdString(messageOf(caught)));
     }
   });
 }

@@ -89,7 +89,14 @@ ViewProjection Viewport::view() const {
 }
 
 bool Viewport::readyToDraw() const {
-  return isValid() && isVisible() && window_->GetReadyForRendering();
+  return !lost_ && isValid() && isVisible() && window_->GetReadyForRendering();
+}
+
+// Qt asks the driver each time it makes the context current.
+void Viewport::noticeLostContext() {
+  if (lost_ || !made_ || isValid()) return;
+  lost_ = true;
+  QTimer::singleShot(0, this, &Viewport::contextLost);
 }
 
 void Viewport::showReadout(const QString& text, const QPointF& atPixel) {
@@ -111,11 +118,17 @@ void Viewport::setPicking(bool on) {
 
 void Viewport::initializeGL() {
   QVTKOpenGLNativeWidget::initializeGL();
+  made_ = true;
   // Where the processor draws, four samples per pixel make a picture take three times as long: following the mouse
   // comes first there.
   softwareRenderer_ = tunedForCpu();
   constexpr int kSamples = 4;
   window_->SetMultiSamples(softwareRenderer_ ? 0 : kSamples);
+}
+
+void Viewport::paintEvent(QPaintEvent* event) {
+  QVTKOpenGLNativeWidget::paintEvent(event);
+  noticeLostContext();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {

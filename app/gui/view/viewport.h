@@ -38,6 +38,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   ViewProjection view() const;
   /// A GL context exists and the widget is on a screen.
   bool readyToDraw() const;
+  /// Emits contextLost if the context is gone, once.
+  void noticeLostContext();
   /// The processor draws, not a graphics card. Known once there is a context.
   bool softwareRenderer() const { return softwareRenderer_; }
   /// Numbers beside the pointer; an empty text hides them.
@@ -51,6 +53,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void skyTurned(double degrees);
   void skyTurnEnded();
   void becameReady();
+  /// The graphics driver was reset, or dropped the context; nothing is drawn from then on.
+  void contextLost();
   /// Over the picture, no button held; logical pixels.
   void pointerMoved(const QPointF& position);
   void pointerLeft();
@@ -66,6 +70,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
  protected:
   bool event(QEvent* event) override;
   void initializeGL() override;
+  void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -87,7 +92,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   ProbeWidget* probeWidget_ = nullptr;
   bool picking_ = false;
   bool softwareRenderer_ = false;
-  std::optional<QPointF> pressed_;  ///< while what began there may still become a click
+  bool made_ = false, lost_ = false;  ///< the context
+  std::optional<QPointF> pressed_;    ///< while what began there may still become a click
   QLabel* readout_;
 };
 

@@ -70,8 +70,9 @@ Autosave::Autosave(const Document& document, std::function<bool()> ownSceneShown
   connect(&soon_, &QTimer::timeout, this, &Autosave::write);
 }
 
-Autosave::~Autosave() {
+void Autosave::end() {
   if (!stays_) remove();
+  lock_.reset();
 }
 
 void Autosave::settled() {
@@ -112,7 +113,7 @@ bool Autosave::write() {
     return true;
   } catch (const std::exception& error) {
     if (!std::exchange(told_, true)) {
-      emit failed(tr("Unsaved changes would not survive a crash: %1").arg(QString::fromUtf8(error.what())));
+      emit failed(tr("Unsaved changes would not survive a crash: %1").arg(QString::fromStdString(messageOf(error))));
     }
     return false;
   }

@@ -40,8 +40,9 @@ class Autosave : public QObject {
   /// `ownSceneShown`: false while a lesson stands in the document's place.
   Autosave(const Document& document, std::function<bool()> ownSceneShown, std::function<About()> about,
            QObject* parent);
-  /// The process ends as it should: what was kept goes, unless keep() was called.
-  ~Autosave() override;
+  ~Autosave() override { end(); }
+  /// The process ends as it should: what was kept goes, unless keep() was called; what stays is free for the next one.
+  void end();
 
   /// An edit was made, taken back or saved: a moment later the files follow.
   void settled();

@@ -23,6 +23,7 @@
 #include "filters/io/json/json_text.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/import/model_reader.h"
+#include "filters/vtk/scene/object_memory.h"
 
 namespace boxprobe {
 
@@ -34,9 +35,10 @@ bool canOpen(const QString& path) {
   return path.endsWith(".json", Qt::CaseInsensitive) || isModelPath(path.toStdString());
 }
 
-/// A sky that cannot be read must be found out while the open scene can still stay.
-void requireSky(const Scene& scene) {
-  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadSkyPicture(*image);
+/// What cannot be drawn must be found out while the open scene can still stay.
+void requireDrawable(const LoadedScene& loaded) {
+  if (const auto* image = std::get_if<SkyImage>(&loaded.scene.sky)) loadSkyPicture(*image);
+  requireMemoryForObjects(loaded.scene, loaded.models);
 }
 
 }  // namespace
@@ -136,7 +138,7 @@ LoadedScene FileCommands::load(const QString& path, const std::vector<std::strin
   LoadedScene loaded;
   workBeside(window_, tr("Loading %1").arg(QFileInfo(path).fileName()), true, [&](const BesideProgress& progress) {
     loaded = loadScene(path.toStdString(), assignments, progress, wishes);
-    requireSky(loaded.scene);
+    requireDrawable(loaded);
     if (!progress(1.0)) throw LoadCancelled(path.toStdString() + ": loading was cancelled");
   });
   return loaded;
@@ -168,7 +170,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
       forgetFile(path);
       emit recentChanged(recentFiles());
     }
-    showError(tr("Cannot open"), QString::fromUtf8(error.what()));
+    showError(tr("Cannot open"), QString::fromStdString(messageOf(error)));
     return false;
   }
 }
@@ -178,7 +180,7 @@ void FileCommands::openSky(const QString& path) {
   try {
     loadSkyPicture(SkyImage{path.toStdString()});
   } catch (const std::exception& error) {
-    return showError(tr("No sky"), QString::fromUtf8(error.what()));
+    return showError(tr("No sky"), QString::fromStdString(messageOf(error)));
   }
   const std::string file = QFileInfo(path).absoluteFilePath().toStdString();
   editor_.commit(tr("Sky from %1").arg(QFileInfo(path).fileName()),
@@ -246,7 +248,7 @@ void FileCommands::reload() {
   } catch (const LoadCancelled&) {
     emit message(tr("Loading cancelled; the scene is unchanged."));
   } catch (const std::exception& error) {
-    emit message(tr("Not read again: %1").arg(QString::fromUtf8(error.what())));
+    emit message(tr("Not read again: %1").arg(QString::fromStdString(messageOf(error))));
   }
   watchFiles();
 }
@@ -300,7 +302,7 @@ bool FileCommands::saveTo(const QString& path) {
     emit message(tr("Saved %1").arg(path));
     return true;
   } catch (const std::exception& error) {
-    showError(tr("Cannot save"), QString::fromUtf8(error.what()));
+    showError(tr("Cannot save"), QString::fromStdString(messageOf(error)));
     return false;
   }
 }
@@ -327,7 +329,7 @@ std::optional<FileCommands::Recovery> FileCommands::recovery() const {
 bool FileCommands::recover(const Autosave::Kept& kept) {
   try {
     LoadedScene loaded = loadScene(kept.scene.toStdString());
-    requireSky(loaded.scene);
+    requireDrawable(loaded);
     if (!confirmLeaving()) return false;
     loaded.path = kept.original.toStdString();
     loaded.unsaved = true;
@@ -338,7 +340,7 @@ bool FileCommands::recover(const Autosave::Kept& kept) {
     emit message(tr("Recovered %1; save it to keep it").arg(nameInFolder()));
     return true;
   } catch (const std::exception& error) {
-    showError(tr("Cannot recover"), QString::fromUtf8(error.what()));
+    showError(tr("Cannot recover"), QString::fromStdString(messageOf(error)));
     return false;
   }
 }
@@ -364,7 +366,7 @@ void FileCommands::exportImage() {
     hooks_.exportTo(path.toStdString());
     emit message(tr("Wrote %1").arg(path));
   } catch (const std::exception& error) {
-    showError(tr("Cannot export"), QString::fromUtf8(error.what()));
+    showError(tr("Cannot export"), QString::fromStdString(messageOf(error)));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "app/gui/edit/work_beside.h"
 #include "app/gui/view/import_bar.h"
 #include "app/session/automatic_exposure.h"
+#include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -192,7 +193,7 @@ void ModelFitter::refit(const QString& label, const Document::Edit& first) {
     if (parts_.document.position() != before) refitted_ = Refit{parts_.document.position(), label.toStdString()};
     fit_ = std::move(fit);
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(QString::fromStdString(messageOf(error)));
     return;
   }
   update();

@@ -4,10 +4,10 @@
 #include <QApplication>
 #include <QClipboard>
 
+#include "app/gui/edit/probe_copies.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/json/json_text.h"
 #include "filters/io/scene/scene_file.h"
-#include "filters/vtk/widgets/handle_drag.h"
 
 namespace boxprobe {
 
@@ -58,13 +58,9 @@ void ProbeClipboard::paste() {
     emit failed(tr("No probe to paste: %1").arg(QString::fromUtf8(error.what())));
     return;
   }
-  Scene after = editor_.scene();
-  for (Probe probe : probes) {
-    probe = besideOthers(probe, after.probes);
-    if (findProbe(after, probe.name)) probe.name = unusedProbeName(after, probe.name);
-    after.probes.push_back(probe);
-  }
-  const std::vector<Probe> all = after.probes;
+  std::vector<Probe> all = editor_.scene().probes;
+  ProbeCopies copies(editor_.scene());
+  for (const Probe& probe : probes) all.push_back(copies.add(probe));
   const QString name = QString::fromStdString(all.back().name);
   editor_.commit(probes.size() == 1 ? tr("Paste %1").arg(name) : tr("Paste %1 probes").arg(probes.size()),
                  [all](Scene& scene) { scene.probes = all; });

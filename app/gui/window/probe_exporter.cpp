@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/session/program_name.h"
+#include "filters/core/base/errors.h"
 #include "filters/core/scene/document.h"
 #include "filters/io/engines/engine_files.h"
 #include "filters/vtk/scene_renderer.h"
@@ -103,7 +104,7 @@ void ProbeExporter::readOne() {
     write();
   } catch (const std::exception& error) {
     turn_.stop();
-    end(QString::fromUtf8(error.what()), false);
+    end(QString::fromStdString(messageOf(error)), false);
   }
 }
 
@@ -137,7 +138,7 @@ void ProbeExporter::write() {
              left;
       good = left.isEmpty();
     } catch (const std::exception& error) {
-      text = QString::fromUtf8(error.what());
+      text = QString::fromStdString(messageOf(error));
       good = false;
     }
     QMetaObject::invokeMethod(

@@ -39,4 +39,22 @@ void offerRecovery(MainWindow& window) {
   }
 }
 
+bool offerRestart(MainWindow& window) {
+  const bool kept = window.autosave().write();
+  PlainQuestion box(
+      &window, QCoreApplication::translate("Recovery", "No picture"),
+      QCoreApplication::translate("Recovery", "The graphics driver was reset. Start Boxprobe again to see the scene."));
+  box.setInformativeText(
+      kept ? QCoreApplication::translate("Recovery", "Unsaved changes are kept and offered after the start.")
+           : QCoreApplication::translate("Recovery", "Unsaved changes could not be kept. Save the scene first."));
+  QPushButton* again = box.addButton(QCoreApplication::translate("Recovery", "&Start again"), QMessageBox::AcceptRole);
+  QPushButton* stay = box.addButton(QCoreApplication::translate("Recovery", "&Not now"), QMessageBox::RejectRole);
+  box.setDefaultButton(kept ? again : stay);
+  box.setEscapeButton(stay);
+  box.exec();
+  if (box.clickedButton() != again) return false;
+  window.autosave().keep();
+  return true;
+}
+
 }  // namespace boxprobe

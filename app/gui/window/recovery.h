@@ -9,4 +9,7 @@ class MainWindow;
 /// at the next start. Does nothing where nothing was left.
 void offerRecovery(MainWindow& window);
 
+/// After the graphics driver was reset: keeps unsaved changes for the next start and asks whether to start again now.
+bool offerRestart(MainWindow& window);
+
 }  // namespace boxprobe

@@ -13,6 +13,7 @@
 #include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
 #include "app/web/review_page.h"
+#include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
 
 namespace boxprobe {
@@ -66,7 +67,7 @@ bool SceneReporter::write(const QString& path) {
     emit message(tr("Wrote %1; the largest error of a camera is %2").arg(path).arg(review->worstError(), 0, 'f', 3));
     return true;
   } catch (const std::exception& error) {
-    emit failed(tr("No report: %1").arg(QString::fromUtf8(error.what())));
+    emit failed(tr("No report: %1").arg(QString::fromStdString(messageOf(error))));
     return false;
   }
 }

@@ -7,10 +7,14 @@
 #include <QDockWidget>
 #include <QFontDatabase>
 #include <QLocale>
+#include <QProcess>
 #include <QTimer>
 #include <algorithm>
 #include <clocale>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <functional>
 #include <optional>
 
 #include "app/gui/lessons/lesson_view.h"
@@ -19,6 +23,7 @@
 #include "app/gui/widgets/settings_file.h"
 #include "app/gui/widgets/window_language.h"
 #include "app/gui/widgets/window_style.h"
+#include "app/gui/window/autosave.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/recovery.h"
@@ -28,6 +33,7 @@
 #include "app/session/stats_json.h"
 #include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/vtk/gl/cpu_time.h"
 
@@ -39,11 +45,12 @@ namespace {
 class Application : public QApplication {
  public:
   using QApplication::QApplication;
+  std::function<void(const std::string& line)> tell = printError;
   bool notify(QObject* receiver, QEvent* event) override {
     try {
       return QApplication::notify(receiver, event);
     } catch (const std::exception& error) {
-      printError(error.what());
+      tell(messageOf(error));
       return false;
     }
   }
@@ -85,6 +92,18 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   applyWindowStyle(application, static_cast<Theme>(theme));
 
   MainWindow window;
+  const ScopeExit silent([&application] { application.tell = printError; });
+  application.tell = [&window](const std::string& line) {
+    printError(line);
+    emit window.files().message(QString::fromStdString(line));
+  };
+  bool lost = false, startAgain = false;
+  QObject::connect(&window.viewport(), &Viewport::contextLost, &window, [&] {
+    lost = true;
+    window.viewport().hide();  // Qt composes the whole window with the context while the picture is on show
+    startAgain = offerRestart(window);
+    if (startAgain) QCoreApplication::quit();
+  });
   RunStats stats;
   std::optional<double> startToFirstFrame;
   std::string pictureError;
@@ -122,6 +141,18 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
 
   stats.startToFirstFrameCpuSeconds = startToFirstFrame;
   if (!options.statsPath.empty()) writeTextAtomically(options.statsPath, statsJson(stats));
+  if (lost) {  // Qt crashes where it destroys what a lost context had
+    const Document& document = window.document();
+    const std::vector<ModelFile>& models = document.scene().models;
+    const std::string path = document.path().empty() && !models.empty() ? models.front().file : document.path();
+    window.autosave().end();
+    if (startAgain) {
+      QProcess::startDetached(QCoreApplication::applicationFilePath(),
+                              path.empty() ? QStringList() : QStringList(QString::fromStdString(path)));
+    }
+    std::fflush(nullptr);
+    std::_Exit(startAgain ? 0 : ended.exitStatus());
+  }
   if (!pictureError.empty()) throw WorkError(pictureError);
   return ended.exitStatus();
 }

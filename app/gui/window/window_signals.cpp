@@ -59,7 +59,7 @@ void WindowSignals::end() {
   } catch (const std::exception& error) {
     window_.autosave().write();
     window_.autosave().keep();  // offered at the next start
-    printError(std::string("unsaved changes are kept for the next start alone: ") + error.what());
+    printError(std::string("unsaved changes are kept for the next start alone: ") + messageOf(error));
   }
   emit window_.closing();
   QCoreApplication::exit();  // of dialogs' own loops, too

@@ -2,6 +2,7 @@
 // what() as a single line. Mathematical functions never throw.
 #pragma once
 
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -28,5 +29,22 @@ class BOXPROBE_EXPORT InputError : public Error {
   using Error::Error;
   int exitStatus() const override { return 2; }
 };
+
+/// One line for any exception: what() of an Error, and words where the library that threw has none for people, as
+/// std::bad_alloc has.
+BOXPROBE_EXPORT std::string messageOf(const std::exception& error);
+
+/// What messageOf() says of std::bad_alloc.
+constexpr const char* kOutOfMemory = "out of memory; close other programs, or use smaller models and pictures";
+
+/// What `work` returns. Where memory does not suffice, the WorkError names what it was for: a file.
+template <typename Work>
+auto withMemoryFor(const std::string& file, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw WorkError(file + ": " + kOutOfMemory);
+  }
+}
 
 }  // namespace boxprobe

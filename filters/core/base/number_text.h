@@ -2,6 +2,8 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
+#include <cstdio>
 #include <string>
 
 namespace boxprobe {
@@ -12,6 +14,13 @@ std::string numberText(Number value) {
   char buffer[64];  // longest shortest-form double is 24 characters
   const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);
   return std::string(buffer, result.ptr);
+}
+
+/// "2.4 GB": three digits, of 10^9 bytes.
+inline std::string gigabytesText(std::uint64_t bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g GB", static_cast<double>(bytes) / 1.0e9);
+  return text;
 }
 
 }  // namespace boxprobe

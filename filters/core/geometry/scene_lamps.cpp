@@ -10,6 +10,7 @@
 #include <set>
 
 #include "filters/core/base/field_error.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/core/geometry/flat_polygons.h"
 #include "filters/core/geometry/model_placement.h"
@@ -199,7 +200,7 @@ SceneLamps sceneLamps(const Scene& scene, const std::vector<std::shared_ptr<cons
     area += placed.area;
     light += placed.area * meanColor(placed.radiance);
   }
-  std::size_t left = kMostLampTriangles, groups = 0;
+  std::size_t left = limits::kLampTriangles, groups = 0;
   for (const PlacedMesh& placed : all) {
     const double shines = meanColor(placed.radiance);
     if (!(shines > 0.0)) continue;
@@ -211,7 +212,7 @@ SceneLamps sceneLamps(const Scene& scene, const std::vector<std::shared_ptr<cons
     if (!stands) continue;
     if (placed.triangles.size() > left) {
       remarks.say(path, "with its " + std::to_string(placed.triangles.size()) +
-                            " triangles lamps would have more than " + std::to_string(kMostLampTriangles) +
+                            " triangles lamps would have more than " + std::to_string(limits::kLampTriangles) +
                             ": it stays in the probes' maps.");
       continue;
     }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 #include "filters/math/shared/lamp_math.h"
@@ -44,14 +45,12 @@ struct SceneLamps {
 
 /// Polygons that a probe draws as shapes at most.
 constexpr std::size_t kMostProbeLamps = 8;
-/// Triangles that lamps are made of at most, over all objects.
-constexpr std::size_t kMostLampTriangles = 10000;
 
 /// Of the objects that baked probes see: `models` in the order of scene.models, overrides applied. Triangles of an
 /// object that lie in one plane and share edges become one polygon, or several if it is not convex. What is not taken
 /// stays in the probes' maps: surfaces no brighter than four times the mean over all surfaces; curved ones, of more
-/// than kMostProbeLamps polygons; an object with which there would be more than kMostLampTriangles; triangles without
-/// area.
+/// than kMostProbeLamps polygons; an object with which there would be more than limits::kLampTriangles; triangles
+/// without area.
 SceneLamps sceneLamps(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 
 /// Those that a probe draws as shapes, as indices, by falling power: groups that meet its box, shine into it and are

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/geometry/model_placement.h"
 
@@ -52,13 +53,13 @@ void checkExtent(const Scene& scene, const std::vector<std::shared_ptr<const Mod
       if (!bounds[index]) bounds[index] = boundsOf(mesh);
       const double farthest =
           reach(*bounds[index], movedInstance(placement * instance.worldFromModel, scene, instance.node));
-      if (farthest <= kLargestCoordinateWorld) continue;
+      if (farthest <= limits::kWorldCoordinate) continue;
       char reached[40];
       std::snprintf(reached, sizeof reached, "reaches to %.3g", farthest);
       const std::string far = std::isfinite(farthest) ? reached : "is nowhere";
       throw InputError(scene.models[i].file + ": node \"" + instance.node + "\" " + far +
                        " once scaled, turned and moved; the largest coordinate supported is " +
-                       numberText(kLargestCoordinateWorld) + ", so scale the model down or move it nearer");
+                       numberText(limits::kWorldCoordinate) + ", so scale the model down or move it nearer");
     }
   }
 }

@@ -5,16 +5,14 @@
 #include <memory>
 #include <vector>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 
 namespace boxprobe {
 
-/// Limit of world coordinates of geometry. A float still holds the area of a triangle that large.
-constexpr double kLargestCoordinateWorld = 1.0e15;
-
 /// Throws InputError naming the node, its model's file and how far it extends if a corner of a mesh's bounds lies
-/// beyond kLargestCoordinateWorld or is not finite after all transforms. `models` in the order of scene.models.
+/// beyond limits::kWorldCoordinate or is not finite after all transforms. `models` in the order of scene.models.
 void checkExtent(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 
 }  // namespace boxprobe

@@ -1,6 +1,7 @@
 // Checks single fields against their rows, and the order of a box's corners; words both kinds of error.
 #include <cmath>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/scene/bounces.h"
 #include "filters/core/scene/scene_fields.h"
@@ -23,7 +24,7 @@ bool outside(const FieldInfo& field, double value) {
 }
 
 std::string tooLarge() {
-  return "; numbers up to " + numberText(kLargestNumber) + " are supported";
+  return "; numbers up to " + numberText(limits::kNumber) + " are supported";
 }
 
 /// The checks of one field; the path text is built only if one fails.
@@ -45,12 +46,12 @@ class Check {
     if (value.empty() && !field_.ifEmpty.empty()) fail("is empty; " + std::string(field_.ifEmpty));
   }
   void operator()(const glm::vec3& color) const {
-    if (field_.range.highest < kLargestNumber) return eachNumber(color);
+    if (field_.range.highest < limits::kNumber) return eachNumber(color);
     finite(color);
     for (int i = 0; i < 3; ++i) {
       if (color[i] < 0.0f) fail("has a negative component, " + numberText(color[i]) + "; use 0 or more");
-      if (color[i] > static_cast<float>(kLargestNumber)) {
-        fail("has a component of " + numberText(color[i]) + "; use " + numberText(kLargestNumber) + " or less");
+      if (color[i] > static_cast<float>(limits::kNumber)) {
+        fail("has a component of " + numberText(color[i]) + "; use " + numberText(limits::kNumber) + " or less");
       }
     }
   }
@@ -67,7 +68,7 @@ class Check {
   void operator()(const glm::dvec2& decode) const {
     FieldInfo element;
     element.key = "[0]";
-    element.range = {0.0, kLargestNumber, true, false};
+    element.range = {0.0, limits::kNumber, true, false};
     const KeyPath path = below();
     Check(element, path)(decode.x);
     element.key = "[1]";
@@ -109,8 +110,8 @@ class Check {
     } else {
       text = std::to_string(value);
     }
-    const bool huge = std::fabs(static_cast<double>(value)) > kLargestNumber;
-    const bool onlyHuge = huge && (value > 0 || field_.range.lowest < 0.0) && field_.range.highest >= kLargestNumber;
+    const bool huge = std::fabs(static_cast<double>(value)) > limits::kNumber;
+    const bool onlyHuge = huge && (value > 0 || field_.range.lowest < 0.0) && field_.range.highest >= limits::kNumber;
     fail("is " + text + (onlyHuge ? tooLarge() : " and must be " + rangeText(field_)) + wordText());
   }
   // A whole number may have a word beside it.
@@ -151,7 +152,7 @@ std::string rangeText(const FieldInfo& field) {
     }
     return list;
   }
-  const bool low = r.lowest > -kLargestNumber, high = r.highest < kLargestNumber;
+  const bool low = r.lowest > -limits::kNumber, high = r.highest < limits::kNumber;
   if (low && high && !r.aboveLowest && !r.belowHighest) return "from " + lowest + " to " + highest;
   std::string text;
   if (low) text = r.aboveLowest ? "greater than " + lowest : lowest + " or more";

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/scene/scene_field.h"
 
 namespace boxprobe {
@@ -105,8 +106,8 @@ struct FieldRow : FieldInfo {
 
   FieldRow& within(double lowest, double highest) { return ranged({lowest, highest, false, false}); }
   FieldRow& between(double lowest, double highest) { return ranged({lowest, highest, true, true}); }  ///< both excluded
-  FieldRow& atLeast(double lowest) { return ranged({lowest, kLargestNumber, false, false}); }
-  FieldRow& above(double lowest) { return ranged({lowest, kLargestNumber, true, false}); }
+  FieldRow& atLeast(double lowest) { return ranged({lowest, limits::kNumber, false, false}); }
+  FieldRow& above(double lowest) { return ranged({lowest, limits::kNumber, true, false}); }
   /// No upper limit except another field's.
   FieldRow& endless() {
     range.highest = std::numeric_limits<double>::infinity();

@@ -2,7 +2,6 @@
 #include "filters/core/scene/scene.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace boxprobe {
 
@@ -13,15 +12,22 @@ std::optional<std::size_t> findProbe(const Scene& scene, const std::string& name
   return static_cast<std::size_t>(found - scene.probes.begin());
 }
 
-std::string unusedProbeName(const Scene& scene, const std::string& stem) {
-  std::unordered_set<std::string> taken;
-  for (const Probe& probe : scene.probes) taken.insert(probe.name);
-  std::string base = stem.empty() ? "probe" : stem;
-  if (taken.count(base) == 0) return base;
-  for (std::size_t number = 2;; ++number) {  // ends: one of the first probes.size() + 1 numbers is free
+ProbeNames::ProbeNames(const Scene& scene) {
+  for (const Probe& probe : scene.probes) taken_.insert(probe.name);
+}
+
+std::string ProbeNames::take(const std::string& stem) {
+  const std::string base = stem.empty() ? "probe" : stem;
+  if (taken_.insert(base).second) return base;
+  std::size_t& number = next_.try_emplace(base, 2).first->second;
+  for (;; ++number) {  // ends: one of the first taken_.size() + 1 numbers is free
     std::string name = base + " " + std::to_string(number);
-    if (taken.count(name) == 0) return name;
+    if (taken_.insert(name).second) return name;
   }
+}
+
+std::string unusedProbeName(const Scene& scene, const std::string& stem) {
+  return ProbeNames(scene).take(stem);
 }
 
 }  // namespace boxprobe

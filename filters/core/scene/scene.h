@@ -8,6 +8,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <variant>
 #include <vector>
 
@@ -299,6 +301,18 @@ struct Scene {
 
 /// Index of the probe of that name, or nothing.
 std::optional<std::size_t> findProbe(const Scene& scene, const std::string& name);
+
+/// Names for new probes of a scene. Many are named in linear time.
+class ProbeNames {
+ public:
+  explicit ProbeNames(const Scene& scene);
+  /// The first of `stem`, `stem 2`, `stem 3`, ... that no probe has; taken from then on.
+  std::string take(const std::string& stem);
+
+ private:
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, std::size_t> next_;  ///< by stem: the first number not tried
+};
 
 /// The first of `stem`, `stem 2`, `stem 3`, ... that no probe has.
 std::string unusedProbeName(const Scene& scene, const std::string& stem);

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/scene/changes.h"
 #include "filters/core/scene/scene.h"
 
@@ -40,13 +41,9 @@ using FieldValue = std::variant<std::monostate, bool, int, float, double, std::s
                                 glm::dvec3, std::vector<std::string>, Box, BlendDistance, Bevel, BoxOcclusion, Clear,
                                 std::map<std::string, ParameterValue>>;
 
-/// Shaders compute in single precision, which ends at 3.4e38: up to this limit, in scene units or units of light, the
-/// square of a distance, the product of two lights and the extent of a box are finite.
-constexpr double kLargestNumber = 1e18;
-
 struct FieldRange {
-  double lowest = -kLargestNumber;
-  double highest = kLargestNumber;
+  double lowest = -limits::kNumber;
+  double highest = limits::kNumber;
   bool aboveLowest = false;   ///< `lowest` itself is excluded
   bool belowHighest = false;  ///< `highest` itself is excluded
 };
@@ -85,7 +82,7 @@ inline bool hasField(LightType type, const FieldInfo& field) {
 }
 /// The limits of the field in a form.
 FieldRange formRange(const FieldInfo& field);
-/// "from 0 to 1", "greater than 0", "1, 4 or 16"; "" where any number up to kLargestNumber will do.
+/// "from 0 to 1", "greater than 0", "1, 4 or 16"; "" where any number up to limits::kNumber will do.
 std::string rangeText(const FieldInfo& field);
 
 }  // namespace boxprobe

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/scene/scene_fields.h"
 #include "filters/core/scene/technique_parameters.h"
@@ -13,13 +14,11 @@ namespace boxprobe {
 
 namespace {
 
-constexpr std::size_t kMostEntries = 10000;
-
 template <typename Entries>
 void checkCount(const Entries& entries, const std::string& key) {
-  if (entries.size() <= kMostEntries) return;
+  if (entries.size() <= limits::kEntries) return;
   throw FieldError({key}, "has " + std::to_string(entries.size()) + " entries; at most " +
-                              std::to_string(kMostEntries) + " are allowed");
+                              std::to_string(limits::kEntries) + " are allowed");
 }
 
 std::string indexKey(std::size_t index) {

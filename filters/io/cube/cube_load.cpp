@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/io/cube/cube_file.h"
 #include "filters/io/cube/cube_names.h"
@@ -18,7 +19,6 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kLargestLoadedFace = 4096;
 constexpr int kLargestAutomaticFace = 2048, kSmallestAutomaticFace = 16;  // limits of a probe's face size
 
 /// The last step of every way: what is beyond half floats.
@@ -244,9 +244,9 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode
 
 LoadedCube load(const std::string& path, CubeLayout layout, int faceSize, const PictureCode& code, CubeView view,
                 const Finish& finish) {
-  if (faceSize < 0 || faceSize > kLargestLoadedFace || (faceSize & (faceSize - 1)) != 0) {
+  if (faceSize < 0 || faceSize > limits::kCubeFace || (faceSize & (faceSize - 1)) != 0) {
     throw InputError(path + ": a face size of " + std::to_string(faceSize) +
-                     " was asked for; use a power of two up to " + std::to_string(kLargestLoadedFace));
+                     " was asked for; use a power of two up to " + std::to_string(limits::kCubeFace));
   }
   std::error_code ignored;
   const bool pattern = path.find('%') != std::string::npos && !std::filesystem::exists(path, ignored);

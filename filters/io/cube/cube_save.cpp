@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/io/cube/cube_file.h"
 #include "filters/io/cube/cube_names.h"
 #include "filters/io/cube/cube_resample.h"
@@ -13,8 +14,6 @@
 namespace boxprobe {
 
 namespace {
-
-constexpr int kLargestSavedFace = 4096;
 
 /// The chosen level and its distances as functions of direction.
 class Surroundings {
@@ -154,9 +153,9 @@ void saveCubePicture(const std::string& path, const CubeMap& cube, CubeLayout la
     throw InputError(path + ": level " + std::to_string(options.level) + " was asked for; the cube has " +
                      std::to_string(cube.levels()) + " levels, counted from 0");
   }
-  if (options.faceSize < 0 || options.faceSize > kLargestSavedFace) {
+  if (options.faceSize < 0 || options.faceSize > limits::kCubeFace) {
     throw InputError(path + ": faces of " + std::to_string(options.faceSize) + " texels were asked for; use 1 to " +
-                     std::to_string(kLargestSavedFace));
+                     std::to_string(limits::kCubeFace));
   }
   const Surroundings source(cube, options);
   const int faceSize = options.faceSize > 0 ? options.faceSize : source.size();

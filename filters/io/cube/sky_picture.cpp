@@ -38,14 +38,15 @@ ImageRgbaF read(const SkyImage& image, SkyPictureNotes& notes, std::optional<Sky
 
 ImageRgbaF loadSkyPicture(const SkyImage& image, SkyPictureNotes* notes) {
   SkyPictureNotes found;
-  ImageRgbaF pixels = read(image, found, nullptr);
+  ImageRgbaF pixels = withMemoryFor(image.file, [&] { return read(image, found, nullptr); });
   if (notes != nullptr) *notes = std::move(found);
   return pixels;
 }
 
 DrawnSky loadDrawnSky(const SkyImage& image) {
   DrawnSky sky;
-  sky.image = read(image, sky.notes, image.sun == SkySunForm::Lamp ? &sky.sun : nullptr);
+  const auto sun = image.sun == SkySunForm::Lamp ? &sky.sun : nullptr;
+  sky.image = withMemoryFor(image.file, [&] { return read(image, sky.notes, sun); });
   return sky;
 }
 

@@ -2,6 +2,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/io/engines/probe_text.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/json/json_text.h"
@@ -9,8 +10,7 @@
 namespace boxprobe {
 
 ImportedProbes importProbes(const std::string& path) {
-  constexpr std::uintmax_t kMost = std::uintmax_t(256) << 20;
-  const std::string text = readWholeFile(path, kMost);
+  const std::string text = readWholeFile(path, limits::kProbeFileBytes);
   const std::string extension = lowerExtension(path);
   if (extension == ".tscn" || text.rfind("[gd_scene", 0) == 0) return parseGodotProbes(text, path);
   if (text.rfind("%YAML", 0) == 0 || extension == ".unity" || extension == ".prefab") {

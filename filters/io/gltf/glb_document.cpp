@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/gltf/gltf_chunks.h"
@@ -38,7 +39,7 @@ struct JoinedBuffer {
 
 std::size_t wholeNumber(const GltfFile& file, const Json* value, std::size_t standard, const std::string& place) {
   if (value == nullptr) return standard;
-  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > kMostGltfBytes) {
+  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > limits::kGltfBytes) {
     file.fail(place, "is not a whole number in range; export it again");
   }
   return value->get<std::size_t>();
@@ -62,7 +63,7 @@ std::vector<JoinedBuffer> joinBuffers(const GltfFile& file, const GltfSource& so
       continue;
     }
     // Each buffer may name the same bytes once more.
-    if (length > kMostGltfBytes - std::min<std::uint64_t>(document.binary.size(), kMostGltfBytes)) {
+    if (length > limits::kGltfBytes - std::min<std::uint64_t>(document.binary.size(), limits::kGltfBytes)) {
       file.fail("buffers", "have more than 4095 MB together; split the model");
     }
     std::unique_ptr<std::string> read;
@@ -145,7 +146,7 @@ std::size_t addBytes(GlbDocument& document, const std::string& bytes) {
 
 void requireGlbSize(const GlbDocument& document, std::uint64_t more, const std::string& path) {
   const std::uint64_t size = kHeaders + document.binary.size() + more;
-  if (size <= kMostGltfBytes) return;
+  if (size <= limits::kGltfBytes) return;
   throw InputError(
       path + ": would have " + std::to_string(size >> 20) +
       " MB, and a .glb file counts its bytes in 32 bits: 4095 MB at most; lower faceSize of the probes, or "

@@ -3,14 +3,12 @@
 #include <cmath>
 #include <cstring>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
 
 namespace {
-
-/// Limit for accessors without bytes (all zero, perhaps with sparse values), whose count no buffer bounds.
-constexpr std::size_t kMostZeroElements = std::size_t(1) << 24;
 
 std::size_t componentSize(int componentType) {
   switch (componentType) {
@@ -120,7 +118,7 @@ std::vector<unsigned char> packedElements(const GltfFile& file, int index, std::
   Elements base;
   if (accessor.bufferView >= 0) {
     base = elementsIn(file, accessor.bufferView, accessor.byteOffset, accessor.count, elementSize, where);
-  } else if (accessor.count > kMostZeroElements) {
+  } else if (accessor.count > limits::kGltfZeroElements) {
     file.fail(where, "has " + std::to_string(accessor.count) + " elements without data");
   }
   std::vector<unsigned char> packed(accessor.count * elementSize, 0);

@@ -34,6 +34,4 @@ GltfSource readGltfSource(const std::string& path);
 ByteRange bufferBytes(const GltfFile& file, std::size_t index, const std::string& uri, const ByteRange* chunk,
                       std::uint64_t length, std::unique_ptr<std::string>& read);
 
-constexpr std::uint64_t kMostGltfBytes = 0xfffffff0u;  ///< of a file: both tinygltf and .glb count in 32 bits
-
 }  // namespace boxprobe

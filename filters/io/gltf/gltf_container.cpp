@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/inside_folder.h"
 #include "filters/io/files/read_file.h"
@@ -185,7 +186,7 @@ ByteRange bufferBytes(const GltfFile& file, std::size_t index, const std::string
 
 GltfSource readGltfSource(const std::string& path) {
   GltfSource source;
-  source.bytes = readWholeFile(path, kMostGltfBytes);
+  source.bytes = readWholeFile(path, limits::kGltfBytes);
   source.binary = source.bytes.compare(0, 4, "glTF") == 0;
   if (source.binary) source.chunks = chunksOf(source.bytes, path);
   checkJsonSyntax(source.json(), source.binary ? path + ": JSON chunk" : path);

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
@@ -45,7 +46,7 @@ std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t nod
     }
     if (!scaled.empty()) matrix = glm::scale(matrix, {scaled[3 * i], scaled[3 * i + 1], scaled[3 * i + 2]});
     for (int n = 0; n < 16; ++n) {
-      if (std::fabs(matrix[n / 4][n % 4]) <= kLargestGltfNumber) continue;
+      if (std::fabs(matrix[n / 4][n % 4]) <= limits::kNumber) continue;
       file.fail(place, "entry " + std::to_string(i) + " reaches beyond 1e18; repair the model");
     }
   }

@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
@@ -30,7 +31,7 @@ Light readLight(GltfFile& file, int index, const glm::dmat4& worldFromNode, cons
   const tinygltf::Light& source = lights[static_cast<std::size_t>(index)];
   const auto bounded = [&](double value) {
     if (!std::isfinite(value)) file.fail(where, "light " + std::to_string(index) + " has a number that is not finite");
-    return std::clamp(value, 0.0, kLargestGltfNumber);
+    return std::clamp(value, 0.0, limits::kNumber);
   };
   Light light;
   light.position = glm::dvec3(worldFromNode[3]);
@@ -70,7 +71,7 @@ Camera readCamera(GltfFile& file, int index, const glm::dmat4& worldFromNode, co
   camera.target = camera.position + turned(worldFromNode, {0.0, 0.0, -1.0});
   camera.up = turned(worldFromNode, {0.0, 1.0, 0.0});
   if (source.type == "orthographic") {
-    if (!(source.orthographic.ymag > 0.0 && source.orthographic.ymag <= kLargestGltfNumber)) {
+    if (!(source.orthographic.ymag > 0.0 && source.orthographic.ymag <= limits::kNumber)) {
       file.fail(where, "camera " + std::to_string(index) + ": ymag must be greater than 0; repair the model");
     }
     camera.parallelHeight = 2.0 * source.orthographic.ymag;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/gltf/gltf_parts.h"
 
@@ -88,8 +89,8 @@ class MaterialReader {
 
   /// Products of larger values with light would overflow single precision.
   float bounded(double value) {
-    if (std::fabs(value) > kLargestGltfNumber) file_.warn("has material numbers above 1e18, which were clamped to it");
-    return static_cast<float>(std::clamp(value, -kLargestGltfNumber, kLargestGltfNumber));
+    if (std::fabs(value) > limits::kNumber) file_.warn("has material numbers above 1e18, which were clamped to it");
+    return static_cast<float>(std::clamp(value, -limits::kNumber, limits::kNumber));
   }
   static float unit(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); }
 

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
 #include "filters/io/mesh/tangents.h"
 
@@ -137,7 +138,7 @@ Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& pr
   applyShape(file, primitive, shape, mesh, place);
   for (std::size_t i = 0; i < count; ++i) {
     const glm::vec3 reach = glm::abs(mesh.positions[i]);
-    if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(kLargestGltfNumber)) continue;
+    if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(limits::kNumber)) continue;
     file.fail(place + ": POSITION", "entry " + std::to_string(i) + " lies beyond 1e18; repair the model");
   }
   if (count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");

@@ -6,14 +6,12 @@
 #include <map>
 #include <numeric>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
 
 namespace {
-
-/// A file of a few bytes may place the same list of instances at many nodes.
-constexpr std::size_t kMostInstances = std::size_t(1) << 20;
 
 /// A mirroring transform turns triangles inside out; a copy with reversed winding keeps their fronts outside (glTF 2.0,
 /// section 3.7.4). The bitangent is a cross product, so its sign flips, too.
@@ -141,9 +139,9 @@ class NodeReader {
       const glm::dmat4 worldFromInstance = worldFromMesh * instance;
       const glm::dmat4 turned = skinned ? worldFromInstance * shaped->second.joints.front() : worldFromInstance;
       const bool mirrors = glm::determinant(glm::dmat3(turned)) < 0.0;
-      if (nodes_.instances.size() + primitives.size() > kMostInstances) {
+      if (nodes_.instances.size() + primitives.size() > limits::kGltfInstances) {
         file_.fail(nodePlace(file_, placed.index),
-                   "the file places more than " + std::to_string(kMostInstances) + " meshes; leave some out");
+                   "the file places more than " + std::to_string(limits::kGltfInstances) + " meshes; leave some out");
       }
       for (const int primitive : primitives) {
         nodes_.instances.push_back({name, mirrors ? mirroredMesh(primitive) : primitive, worldFromInstance});

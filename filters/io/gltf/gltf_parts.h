@@ -19,7 +19,6 @@ namespace boxprobe {
 
 /// Limit of positions, transforms and factors. A transform of this size takes a position of this size to 1e36, still
 /// inside single precision.
-constexpr double kLargestGltfNumber = 1e18;
 
 /// An image as the file names it; its bytes are read when a material uses it.
 struct GltfImage {

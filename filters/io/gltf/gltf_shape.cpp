@@ -5,15 +5,13 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/number_text.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
 
 namespace {
-
-/// Many small nodes may each deform the same large mesh.
-constexpr std::size_t kMostShapedPositions = std::size_t(1) << 26;
 
 /// For one attribute: the weighted sum of its targets' differences.
 template <typename Vector>
@@ -117,8 +115,8 @@ void applyShape(GltfFile& file, const tinygltf::Primitive& primitive, const Gltf
                 const std::string& place) {
   if (shape.atRest()) return;
   file.shapedPositions += mesh.positions.size();
-  if (file.shapedPositions > kMostShapedPositions) {
-    file.fail(place, "skins and morph targets come to more than " + std::to_string(kMostShapedPositions) +
+  if (file.shapedPositions > limits::kGltfShapedPositions) {
+    file.fail(place, "skins and morph targets come to more than " + std::to_string(limits::kGltfShapedPositions) +
                          " positions in all; split the file");
   }
   addTargets(file, primitive, shape.weights, "POSITION", mesh.positions, place);

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
@@ -79,7 +80,7 @@ std::vector<int> rootNodes(const GltfFile& file) {
 void checkReach(const GltfFile& file, const GltfPlacedNode& node) {
   for (int i = 0; i < 16; ++i) {
     // Also false for NaN, the result of infinity times 0.
-    if (std::fabs(node.worldFromNode[i / 4][i % 4]) <= kLargestGltfNumber) continue;
+    if (std::fabs(node.worldFromNode[i / 4][i % 4]) <= limits::kNumber) continue;
     file.fail(nodePlace(file, node.index),
               "its transform, with those of its parents, reaches beyond 1e18; repair the model");
   }

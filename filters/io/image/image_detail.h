@@ -8,12 +8,6 @@
 
 namespace boxprobe {
 
-constexpr long long kLargestImageSide = 32768;
-/// 2 GiB as float RGBA, a sky of 16384 x 8192: bounds the memory that a damaged header can ask for.
-constexpr long long kMostPixels = 1LL << 27;
-/// stb counts bytes in an int.
-constexpr std::size_t kLargestEncodedImage = 0x7fffffff;
-
 /// Throws InputError with the picture and the excessive figure, before memory is allocated.
 void checkImageSize(const std::string& name, long long width, long long height);
 

@@ -13,6 +13,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/read_file.h"
@@ -48,13 +49,13 @@ void appendBytes(void* target, void* data, int size) {
 
 void checkImageSize(const std::string& name, long long width, long long height) {
   if (width <= 0 || height <= 0) throw InputError(name + ": has no pixels; save it again");
-  if (width > kLargestImageSide || height > kLargestImageSide) {
+  if (width > limits::kPictureSide || height > limits::kPictureSide) {
     throw InputError(name + ": is " + std::to_string(width) + " x " + std::to_string(height) + " pixels; at most " +
-                     std::to_string(kLargestImageSide) + " a side are read");
+                     std::to_string(limits::kPictureSide) + " a side are read");
   }
-  if (width * height > kMostPixels) {
+  if (width * height > limits::kPicturePixels) {
     throw InputError(name + ": is " + std::to_string(width) + " x " + std::to_string(height) + " pixels; at most " +
-                     std::to_string(kMostPixels) + " in all are read");
+                     std::to_string(limits::kPicturePixels) + " in all are read");
   }
 }
 
@@ -75,8 +76,8 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
   ImageRgba8 image;
   image.name = name;
   int channels = 0;
-  const int length = static_cast<int>(std::min(size, kLargestEncodedImage));
-  if (size == 0 || size > kLargestEncodedImage ||
+  const int length = static_cast<int>(std::min(size, limits::kPictureBytes));
+  if (size == 0 || size > limits::kPictureBytes ||
       stbi_info_from_memory(bytes, length, &image.width, &image.height, &channels) == 0) {
     throw InputError(name + ": is not a PNG, JPEG or WebP picture; save it as one of these");
   }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <exception>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/helper_threads.h"
+#include "filters/core/base/number_text.h"
 #include "filters/io/image/image_detail.h"
 
 namespace boxprobe {
@@ -16,12 +16,6 @@ namespace boxprobe {
 namespace {
 
 struct TooManyPixels {};
-
-std::string gigabytes(std::uint64_t bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g GB", static_cast<double>(bytes) / 1.0e9);
-  return text;
-}
 
 }  // namespace
 
@@ -81,7 +75,7 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
       result[missing[at]] = std::make_shared<const ImageRgba8>(std::move(picture));
     } catch (const TooManyPixels&) {
       failures[missing[at]] = std::make_exception_ptr(
-          InputError(image.place + ": with the model's other pictures it comes to more than " + gigabytes(mostBytes_) +
+          InputError(image.place + ": with the model's other pictures it comes to more than " + gigabytesText(mostBytes_) +
                      ", a sixth of this machine's memory; use smaller pictures"));
     } catch (const InputError& problem) {
       problems[missing[at]] = problem.what();

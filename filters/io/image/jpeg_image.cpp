@@ -6,6 +6,8 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
+#include "filters/core/base/file_limits.h"
+
 namespace boxprobe {
 
 namespace {
@@ -29,10 +31,8 @@ void warn(j_common_ptr common, int level) {
   if (level < 0 && (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER || code == JWRN_HUFF_BAD_CODE)) fail(common);
 }
 
-// A few bytes can claim any number of scans over the whole picture.
 void limitScans(j_common_ptr common) {
-  constexpr int kMostScans = 500;
-  if (reinterpret_cast<j_decompress_ptr>(common)->input_scan_number > kMostScans) {
+  if (reinterpret_cast<j_decompress_ptr>(common)->input_scan_number > limits::kJpegScans) {
     ERREXIT(common, JERR_BAD_PROGRESSION);
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 
 namespace boxprobe {
@@ -260,8 +261,7 @@ JsonText parseJsonText(const std::string& text, const std::string& name) {
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
     throw InputError(at(name, placeOf(text, zero)) + "not valid JSON: there is a zero byte; save it as plain text");
   }
-  constexpr std::size_t kMostEntries = 10000;  // looking up a member takes linear time
-  checkJsonSyntax(text, name, kMostEntries);
+  checkJsonSyntax(text, name, limits::kEntries);
   JsonText result;
   result.name = name;
   result.root = Json::parse(text);

@@ -6,22 +6,22 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 
 namespace boxprobe {
 
 namespace {
 
-constexpr double kLargestNumber = 1e18;  // as for glTF: its square does not overflow
 constexpr double kFar = 4.0;
 
 }  // namespace
 
 NearPositions nearPositions(const std::vector<glm::dvec3>& positions, const std::string& place) {
   NearPositions result;
-  glm::dvec3 low(kLargestNumber), high(-kLargestNumber);
+  glm::dvec3 low(limits::kNumber), high(-limits::kNumber);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (std::fabs(positions[i][axis]) <= kLargestNumber) continue;  // also false for NaN
+      if (std::fabs(positions[i][axis]) <= limits::kNumber) continue;  // also false for NaN
       throw InputError(place + ": point " + std::to_string(i) + " is not finite or lies beyond 1e18; repair the model");
     }
     low = glm::min(low, positions[i]);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/io/mesh/far_positions.h"
 #include "filters/io/mesh/polygon_triangles.h"
 #include "filters/io/mesh/smooth_normals.h"
@@ -55,8 +56,7 @@ class Builder {
     }
     if (uv == nullptr && !polygons_.uvs.empty()) uv = &polygons_.uvs[position];
     if (uv != nullptr) {
-      constexpr double kLargest = 1e18;
-      const auto finite = [](double x, double otherwise) { return std::fabs(x) < kLargest ? x : otherwise; };
+      const auto finite = [](double x, double otherwise) { return std::fabs(x) < limits::kNumber ? x : otherwise; };
       mesh.uv.emplace_back(finite(uv->x, 0.0), 1.0 - finite(uv->y, 1.0));
     }
     if (color == nullptr && polygons_.colors.empty()) return;
@@ -81,9 +81,9 @@ class Builder {
 
   void add(std::size_t polygon, std::size_t first, std::size_t end) {
     const std::size_t count = end - first;
-    if (count > kMostPolygonCorners) {
+    if (count > limits::kPolygonCorners) {
       throw InputError(place_ + ": polygon " + std::to_string(polygon) + " has more than " +
-                       std::to_string(kMostPolygonCorners) + " corners; split it");
+                       std::to_string(limits::kPolygonCorners) + " corners; split it");
     }
     const std::size_t part = polygons_.parts.empty() ? 0 : polygons_.parts[polygon];
     corners_.clear();

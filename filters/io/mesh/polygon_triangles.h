@@ -8,9 +8,6 @@
 
 namespace boxprobe {
 
-/// Ear clipping takes at least quadratic time: readers refuse larger polygons.
-constexpr std::size_t kMostPolygonCorners = 4096;
-
 /// Twice the polygon's area times its unit normal (Newell's sum), also of a polygon that is concave or not plane.
 glm::dvec3 polygonNormal(const std::vector<glm::dvec3>& corners);
 

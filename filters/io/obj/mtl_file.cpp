@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/core/base/printable_text.h"
 #include "filters/io/files/read_file.h"
@@ -140,8 +141,7 @@ class MtlReader {
       if (key != "ka") leaveOut(std::string(written) + " above 1 (taken as 1)");
       color = glm::dvec3(std::min(color.r, 1.0), std::min(color.g, 1.0), std::min(color.b, 1.0));
     }
-    constexpr double kLargest = 1e18;
-    for (int i = 0; i < 3; ++i) color[i] = std::clamp(color[i], 0.0, kLargest);
+    for (int i = 0; i < 3; ++i) color[i] = std::clamp(color[i], 0.0, limits::kNumber);
     material_->colors[key] = color;
   }
 

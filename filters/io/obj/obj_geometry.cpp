@@ -5,6 +5,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/core/base/printable_text.h"
 #include "filters/io/files/decimal_comma.h"
@@ -152,9 +153,9 @@ class GeometryReader {
     face_.first = result_.corners.size();
     for (std::string_view word = nextObjValue(line); !word.empty(); word = nextObjValue(line)) takeCorner(word);
     const std::size_t count = result_.corners.size() - face_.first;
-    if (count > kMostPolygonCorners) {
-      fail("the polygon has " + std::to_string(count) + " corners; split it, " + std::to_string(kMostPolygonCorners) +
-           " are possible");
+    if (count > limits::kPolygonCorners) {
+      fail("the polygon has " + std::to_string(count) + " corners; split it, " +
+           std::to_string(limits::kPolygonCorners) + " are possible");
     }
     if (count < 3) {
       ++leftOut_["f with fewer than three corners"];

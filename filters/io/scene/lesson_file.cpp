@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/nearest_name.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t kLargestLesson = 1 << 20;
-constexpr std::size_t kMostLessons = 1000, kMostSteps = 100;  // a step starts from the changes of all before it
 constexpr const char* kEnding = ".lesson.json";
 
 bool isLesson(const fs::path& path) {
@@ -44,9 +43,9 @@ std::string place(const JsonText& json, const KeyPath& path) {
 
 /// Checks that every step can run: its changes apply and its camera exists.
 void requireSteps(const Lesson& lesson) {
-  if (lesson.steps.size() > kMostSteps) {
+  if (lesson.steps.size() > limits::kLessonSteps) {
     throw FieldError({"steps"}, "has " + std::to_string(lesson.steps.size()) + " entries; at most " +
-                                    std::to_string(kMostSteps) + " are read");
+                                    std::to_string(limits::kLessonSteps) + " are read");
   }
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const KeyPath step = {"steps", "[" + std::to_string(i) + "]"};
@@ -79,7 +78,7 @@ void requireSteps(const Lesson& lesson) {
 
 /// `texts`: those of the lesson's folder, read when the first lesson needs them.
 Lesson readLesson(const std::string& path, std::optional<LessonTexts>& texts) {
-  const JsonText json = parseJsonText(readWholeFile(path, kLargestLesson), path);
+  const JsonText json = parseJsonText(readWholeFile(path, limits::kLessonBytes), path);
   try {
     requireLessonHeader(json.root);
     const fs::path parent = fs::path(path).parent_path();
@@ -126,9 +125,9 @@ LessonList loadLessons(const std::string& folder, const std::string& language) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     if (isLesson(entry.path())) paths.push_back(entry.path().string());
   }
-  if (paths.size() > kMostLessons) {
+  if (paths.size() > limits::kLessons) {
     throw InputError(folder + ": has " + std::to_string(paths.size()) + " lessons; at most " +
-                     std::to_string(kMostLessons) + " are read");
+                     std::to_string(limits::kLessons) + " are read");
   }
   if (paths.empty()) throw InputError(folder + ": no lesson is in it; lessons are files named NAME" + kEnding);
   std::sort(paths.begin(), paths.end());

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/nearest_name.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/scene/scene_json.h"
@@ -14,8 +15,6 @@ namespace boxprobe {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::uintmax_t kLargestTexts = 4 << 20;
 
 std::string required(const JsonCursor& value) {
   std::string text = value.text();
@@ -123,7 +122,7 @@ std::vector<std::string> lessonTextLanguages(const std::string& folder) {
 
 LessonLanguage::LessonLanguage(const std::string& folder, const std::string& language) : id_(language) {
   const std::string path = textFolder(folder) + "/" + language + ".json";
-  file_ = parseJsonText(readWholeFile(path, kLargestTexts), path);
+  file_ = parseJsonText(readWholeFile(path, limits::kLessonTextBytes), path);
   try {
     readHeader(JsonCursor(file_.root, {}), language);
   } catch (const FieldError& error) {

@@ -1,6 +1,7 @@
 // The grammar of the lesson file: one function per object, each with the keys it accepts.
 #include <filesystem>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/nearest_name.h"
 #include "filters/core/scene/surface_view.h"
 #include "filters/io/json/json_cursor.h"
@@ -209,8 +210,6 @@ LessonExercise readExercise(const JsonCursor& entry, std::size_t steps) {
   return exercise;
 }
 
-constexpr std::size_t kMostCurveValues = 32;  // each needs a picture and its reference
-
 LessonCurve readCurve(const JsonCursor& entry, std::size_t steps) {
   entry.requireObject(
       {"field", "values", "measure", "cost", "line", "fieldName", "measureName", "costName", "lineName"});
@@ -223,8 +222,8 @@ LessonCurve readCurve(const JsonCursor& entry, std::size_t steps) {
     if (!curve.values.empty() && !(number > curve.values.back())) value.fail("must be larger than the one before");
     curve.values.push_back(number);
   }
-  if (curve.values.size() < 2 || curve.values.size() > kMostCurveValues) {
-    values.fail("needs 2 to " + std::to_string(kMostCurveValues) + " numbers");
+  if (curve.values.size() < 2 || curve.values.size() > limits::kCurveValues) {
+    values.fail("needs 2 to " + std::to_string(limits::kCurveValues) + " numbers");
   }
   curve.fieldName = required(entry, "fieldName");
   const auto measured = [&](const char* key, std::string& name) {

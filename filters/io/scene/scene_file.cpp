@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/scene/scene_json.h"
@@ -12,8 +13,6 @@ namespace boxprobe {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uintmax_t kLargestSceneFile = 256u << 20;  // ten thousand probes with every key take 10 MB
 
 void requireFile(const std::string& file, KeyPath path, const std::string& wanted) {
   std::error_code error;
@@ -56,7 +55,7 @@ std::string folderOf(const std::string& path) {
 }  // namespace
 
 Scene loadSceneFile(const std::string& path) {
-  return parse(readWholeFile(path, kLargestSceneFile), path, folderOf(path), true);
+  return parse(readWholeFile(path, limits::kSceneBytes), path, folderOf(path), true);
 }
 
 Scene parseScene(const std::string& text, const std::string& name, const std::string& folder) {

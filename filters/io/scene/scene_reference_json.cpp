@@ -1,6 +1,7 @@
 // The reference as JSON.
 #include <cmath>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/io/scene/field_json.h"
 #include "filters/io/scene/reference_text.h"
 #include "filters/io/scene/scene_reference.h"
@@ -63,8 +64,8 @@ Json fieldJson(const FieldInfo& field, const FieldValue& standard, const FieldPa
   const bool number = field.kind == FieldKind::Number || field.kind == FieldKind::Integer ||
                       field.kind == FieldKind::Vector || field.kind == FieldKind::Color;
   const FieldRange& r = field.range;
-  if (number && std::fabs(r.lowest) < kLargestNumber) json[r.aboveLowest ? "above" : "lowest"] = r.lowest;
-  if (number && std::fabs(r.highest) < kLargestNumber) json[r.belowHighest ? "below" : "highest"] = r.highest;
+  if (number && std::fabs(r.lowest) < limits::kNumber) json[r.aboveLowest ? "above" : "lowest"] = r.lowest;
+  if (number && std::fabs(r.highest) < limits::kNumber) json[r.belowHighest ? "below" : "highest"] = r.highest;
   if (!field.values.empty()) json["values"] = field.values;
   for (const FieldChoice& choice : field.choices) json["choices"].push_back({{"id", choice.id}, {"help", choice.help}});
   if (!typeText(field).empty()) json["types"] = typeText(field);

@@ -5,13 +5,12 @@
 #include <limits>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 
 namespace boxprobe {
 
 namespace {
-
-constexpr std::size_t kMostElements = 256, kMostTextures = 64;
 
 std::string inQuotes(std::string_view word) {
   return "\"" + std::string(word) + "\"";
@@ -80,7 +79,7 @@ class HeaderReader {
 
   /// As MeshLab and others name a picture.
   void readComment() {
-    if (words_.size() < 3 || words_[1] != "TextureFile" || header_.textures.size() == kMostTextures) return;
+    if (words_.size() < 3 || words_[1] != "TextureFile" || header_.textures.size() == limits::kPlyTextures) return;
     const char* first = words_[2].data();
     header_.textures.emplace_back(first, words_.back().data() + words_.back().size());
   }
@@ -111,8 +110,9 @@ class HeaderReader {
       if (other.name != element.name) continue;
       fail("element " + name + " stands in line " + std::to_string(other.line) + " already; join the two");
     }
-    if (header_.elements.size() == kMostElements) {
-      fail("has more than " + std::to_string(kMostElements) + " elements; delete those that are not vertex or face");
+    if (header_.elements.size() == limits::kPlyElements) {
+      fail("has more than " + std::to_string(limits::kPlyElements) +
+           " elements; delete those that are not vertex or face");
     }
     long long count = 0;
     const std::string_view digits = words_[2];

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/printable_text.h"
 #include "filters/core/base/read_number.h"
 #include "filters/io/files/read_file.h"
@@ -380,9 +381,9 @@ class PlyReader {
   }
 
   void finishFace(const PlyValues& values) {
-    if (corners_.size() > kMostPolygonCorners) {
+    if (corners_.size() > limits::kPolygonCorners) {
       values.fail("the polygon has " + std::to_string(corners_.size()) + " corners; split it, " +
-                  std::to_string(kMostPolygonCorners) + " are possible");
+                  std::to_string(limits::kPolygonCorners) + " are possible");
     }
     const bool pictured = cornerUvs_.size() == 2 * corners_.size();
     if (hasCornerUvs_ && !pictured && !cornerUvs_.empty()) leftOut_.insert("face texcoord of another length");

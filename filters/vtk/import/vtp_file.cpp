@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/read_file.h"
 
@@ -17,7 +18,7 @@ namespace boxprobe {
 namespace {
 
 /// Deflate's maximum ratio is 1032, the highest of VTK's compressors.
-constexpr std::size_t kMostOfAByte = 1032, kMostPieces = 1000, kMostArrays = 1000;
+constexpr std::size_t kMostOfAByte = 1032;
 
 // Expat 2.9 has wider counts and deprecates the earlier function.
 std::uint64_t lineOf(XML_Parser parser) {
@@ -107,7 +108,7 @@ class VtpXml {
       file_.wideHeaders = attribute(attributes, "header_type") == "UInt64";
       file_.compressor = attribute(attributes, "compressor");
     } else if (name == "Piece") {
-      if (file_.pieces.size() == kMostPieces) throw InputError("has more than 1000 pieces; save it as one");
+      if (file_.pieces.size() == limits::kVtpPieces) throw InputError("has more than 1000 pieces; save it as one");
       VtpPiece piece;
       piece.points = count(attributes, "NumberOfPoints", 0, most);
       piece.verts = count(attributes, "NumberOfVerts", 0, most);
@@ -130,7 +131,7 @@ class VtpXml {
     array_ = nullptr;
     if (file_.pieces.empty()) return;  // field data
     std::vector<VtpArray>& arrays = file_.pieces.back().arrays;
-    if (arrays.size() == kMostArrays) throw InputError("has more than 1000 arrays in a piece; leave some out");
+    if (arrays.size() == limits::kVtpArrays) throw InputError("has more than 1000 arrays in a piece; leave some out");
     VtpArray array;
     array.section = section_;
     array.name = attribute(attributes, "Name");

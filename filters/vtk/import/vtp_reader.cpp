@@ -5,6 +5,7 @@
 #include <set>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/printable_text.h"
 #include "filters/io/mesh/polygon_mesh.h"
 #include "filters/io/mesh/polygon_triangles.h"
@@ -87,7 +88,7 @@ class VtpPieces {
       if (!(size >= 0.0 && size == std::floor(size) && offsets[i] <= 1e9)) {  // also false for NaN
         failVtp(path_, section + ": offset " + std::to_string(i) + " is before the one before it; the file is damaged");
       }
-      if (size > static_cast<double>(kMostPolygonCorners) && section == "Polys") {
+      if (size > static_cast<double>(limits::kPolygonCorners) && section == "Polys") {
         failVtp(path_, "polygon " + std::to_string(i) + " has more than 4096 corners; split it");
       }
       before = offsets[i];

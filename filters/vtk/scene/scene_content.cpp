@@ -7,6 +7,7 @@
 #include "filters/core/scene/material_override.h"
 #include "filters/io/cube/sky_picture.h"
 #include "filters/vtk/maps/content_hash.h"
+#include "filters/vtk/scene/object_memory.h"
 #include "filters/vtk/scene/scene_lights.h"
 #include "filters/vtk/scene/vtkCulledRenderer.h"
 
@@ -156,6 +157,7 @@ void SceneContent::resetClippingRange(vtkCulledRenderer* renderer) const {
 
 void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared_ptr<DrawState>& state) {
   if (!objects.empty() && placeObjects()) return;
+  requireMemoryForObjects(scene, models);
   builtModels_ = models;
   builtFiles_.clear();
   for (const ModelFile& file : scene.models) builtFiles_.push_back(file.file);

@@ -212,21 +212,6 @@ Probe nudgedProbe(const Probe& probe, const Handle& handle, const glm::dvec3& by
   return moved;
 }
 
-Probe besideOthers(const Probe& probe, const std::vector<Probe>& others) {
-  constexpr double kShare = 0.1;
-  const glm::dvec3 along = rotationMatrix(probe.rotationDegrees)[0];
-  const glm::dvec3 step = along * (kShare * std::max(probe.box.size().x, kMinimumThickness));
-  Probe moved = probe;
-  const auto hidden = [&moved](const Probe& other) {
-    return moved.box == other.box && moved.origin == other.origin && moved.rotationDegrees == other.rotationDegrees;
-  };
-  // Meets each other probe at most once.
-  for (std::size_t i = 0; i < others.size() && std::any_of(others.begin(), others.end(), hidden); ++i) {
-    moved = movedProbe(moved, step);
-  }
-  return moved;
-}
-
 Probe movedProbe(const Probe& probe, const glm::dvec3& by) {
   Probe moved = probe;
   moved.origin += by;

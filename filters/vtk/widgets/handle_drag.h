@@ -82,10 +82,6 @@ bool isFace(const Handle& handle);
 /// The probe with a handle moved by `by`, world: faces along their own axis, Move the whole probe, others its origin.
 Probe nudgedProbe(const Probe& probe, const Handle& handle, const glm::dvec3& by, const ViewAxes& view);
 
-/// The probe moved along its box's X in steps of a tenth of the width until it coincides with none of `others`, from
-/// which it could not be distinguished.
-Probe besideOthers(const Probe& probe, const std::vector<Probe>& others);
-
 /// The probe moved by `by`, world: its box, its influence box and its origin.
 Probe movedProbe(const Probe& probe, const glm::dvec3& by);
 

@@ -1,0 +1,46 @@
+// See probe_copies.h.
+#include "app/gui/edit/probe_copies.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "filters/core/geometry/probe_frame.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/vtk/widgets/handle_drag.h"
+
+namespace boxprobe {
+
+ProbeCopies::ProbeCopies(const Scene& scene) : names_(scene) {
+  for (const Probe& probe : scene.probes) taken_.insert(placeOf(probe));
+}
+
+ProbeCopies::Place ProbeCopies::placeOf(const Probe& probe) {
+  const Box& box = probe.box;
+  const glm::dvec3 &origin = probe.origin, &turn = probe.rotationDegrees;
+  return {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z,
+          origin.x,  origin.y,  origin.z,  turn.x,    turn.y,    turn.z};
+}
+
+Probe ProbeCopies::add(Probe probe) {
+  constexpr double kShare = 0.1;
+  const Place given = placeOf(probe);
+  const auto before = last_.find(given);
+  Probe moved = before == last_.end() ? probe : before->second;
+  const glm::dvec3 step =
+      rotationMatrix(probe.rotationDegrees)[0] * (kShare * std::max(probe.box.size().x, kMinimumThickness));
+  // Ends: each step reaches another place, unless the step is lost in rounding.
+  for (Place at = placeOf(moved); !taken_.insert(at).second;) {
+    moved = movedProbe(moved, step);
+    const Place next = placeOf(moved);
+    if (next == at) break;
+    at = next;
+  }
+  last_.insert_or_assign(given, moved);
+  probe.box = moved.box;
+  probe.influence = moved.influence;
+  probe.origin = moved.origin;
+  probe.name = names_.take(probe.name);
+  return probe;
+}
+
+}  // namespace boxprobe
