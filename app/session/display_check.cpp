@@ -10,6 +10,7 @@
 
 #include "app/session/interrupt.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/memory_check.h"
 #include "filters/platform/process.h"
 #include "filters/platform/terminal.h"
 
@@ -129,6 +130,7 @@ void requireDisplay(const std::string& command) {
   const std::string missing = missingFromGlx(display);
   if (!missing.empty()) {
     XCloseDisplay(display);
+    requireMemory();
     throw WorkError("no OpenGL on display '" + std::string(name) + "': " + missing);
   }
   preferX();

@@ -15,6 +15,7 @@
 #include "app/session/surfaceless_window.h"
 #include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/memory_check.h"
 #include "filters/platform/process.h"
 #include "filters/vtk/gl/opengl.h"
 
@@ -45,6 +46,7 @@ vtkSmartPointer<vtkOpenGLRenderWindow> windowFor(const OffscreenSettings& settin
   if (offscreen == Offscreen::Osmesa) return osmesaWindow();
   std::string why;
   if (const auto window = makeSurfacelessWindow(why)) return window;
+  requireMemory();
   if (settings.offscreen == Offscreen::Egl) throw InputError("--offscreen egl: " + why);
   throw InputError("nothing to draw with: DISPLAY is not set, and " + why +
                    "; install libegl-mesa0, or run `xvfb-run -a " + settings.command + " ...`");
@@ -82,12 +84,14 @@ vtkSmartPointer<vtkOpenGLRenderWindow> openOffscreenWindow(const OffscreenSettin
   window->MakeCurrent();
   const std::string told = firstVtkError();
   if (!window->IsCurrent() || told != toldBefore) {
+    requireMemory();
     throw WorkError("cannot start OpenGL 3.2 here" + (told == toldBefore ? std::string() : ": " + told));
   }
   int major = 0, minor = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
   glGetIntegerv(GL_MINOR_VERSION, &minor);
   const std::string missing = missingFromOpenGl(10 * major + minor, drawsFloats());
+  if (!missing.empty()) requireMemory();
   if (!missing.empty()) throw WorkError("this OpenGL driver cannot draw probes: " + missing);
   int mostSamples = 1;
   glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);

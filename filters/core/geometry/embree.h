@@ -11,6 +11,7 @@
 #include <initializer_list>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/memory_check.h"
 
 namespace boxprobe {
 
@@ -18,14 +19,17 @@ namespace boxprobe {
 constexpr float kLargestRayCoordinate = 1.8e18f;
 
 /// On x86 with the instructions of AVX2 at most, as wider ones round some hits otherwise: machines of one farm write
-/// the same bytes. Throws WorkError.
+/// the same bytes. Throws WorkError, or std::bad_alloc.
 inline RTCDevice newRayDevice() {
 #if defined(__x86_64__) || defined(_M_X64)
   const RTCDevice device = rtcNewDevice("max_isa=avx2");
 #else
   const RTCDevice device = rtcNewDevice(nullptr);
 #endif
-  if (device == nullptr) throw WorkError("the ray tracer (Embree) does not start on this machine");
+  if (device == nullptr) {
+    requireMemory();
+    throw WorkError("the ray tracer (Embree) does not start on this machine");
+  }
   return device;
 }
 
