@@ -158,6 +158,11 @@ TEST_F(ImageFile, DamageIsOneLineThatNamesTheFile) {
   savePng(file("a.png"), picture);
   write("cut.png", read("a.png").substr(0, read("a.png").size() / 2));
   EXPECT_EQ(errorText([&] { loadImage8(file("cut.png")); }).rfind(file("cut.png") + ": is damaged", 0), 0u);
+  std::string large = read("a.png");
+  large.replace(16, 8, std::string("\x00\x00\xea\x60\x00\x00\xea\x60", 8));
+  write("large.png", large);
+  EXPECT_EQ(errorText([&] { loadImage8(file("large.png")); }),
+            file("large.png") + ": is 60000 x 60000 pixels; at most 32768 a side are read");
   write("text.png", "this is text");
   EXPECT_EQ(errorText([&] { loadImage8(file("text.png")); }),
             file("text.png") + ": is not a PNG, JPEG or WebP picture; save it as one of these");

@@ -45,6 +45,13 @@ void appendBytes(void* target, void* data, int size) {
   static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
+/// Big-endian.
+long long number32(const unsigned char* bytes) {
+  long long number = 0;
+  for (int i = 0; i < 4; ++i) number = number * 256 + bytes[i];
+  return number;
+}
+
 }  // namespace
 
 void checkImageSize(const std::string& name, long long width, long long height) {
@@ -79,6 +86,8 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
   const int length = static_cast<int>(std::min(size, limits::kPictureBytes));
   if (size == 0 || size > limits::kPictureBytes ||
       stbi_info_from_memory(bytes, length, &image.width, &image.height, &channels) == 0) {
+    constexpr std::size_t kPngHeader = 24;  // signature, the chunk's length and name, width, height
+    if (isPng(bytes, size) && size >= kPngHeader) checkImageSize(name, number32(bytes + 16), number32(bytes + 20));
     throw InputError(name + ": is not a PNG, JPEG or WebP picture; save it as one of these");
   }
   checkImageSize(name, image.width, image.height);

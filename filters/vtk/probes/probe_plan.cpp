@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 
 #include "filters/core/geometry/probe_reach.h"
 #include "filters/vtk/gl/map_bytes.h"
@@ -166,16 +167,24 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
     keys_.push_back({withoutSky ? ContentHash().add(input.view).add("before the sky").text() : input.view});
   }
   for (int bounce = 2; bounce <= most; ++bounce) {
+    // In the order of the keys: the list's order does not affect pictures. Thousands of probes may see one another.
+    std::vector<std::string> texts(inputs_.size());
+    std::vector<std::size_t> order(inputs_.size());
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+      texts[i] = key(i, bounce - 1) + inputs_[i].drawn;
+      order[i] = i;
+    }
+    std::sort(order.begin(), order.end(), [&texts](std::size_t a, std::size_t b) { return texts[a] < texts[b]; });
+    std::vector<char> seen(inputs_.size(), 0);
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       if (bounce > inputs_[i].bounces) continue;
-      // In the order of the keys: the list's order does not affect pictures.
-      std::vector<std::string> shown;
-      for (const std::size_t other : sees_[i]) shown.push_back(key(other, bounce - 1) + inputs_[other].drawn);
-      std::sort(shown.begin(), shown.end());
       ContentHash hash;
       hash.add(inputs_[i].view).add(inputs_[i].lattices ? "lit by lattices" : "lit by");
-      for (const std::string& text : shown) hash.add(text);
-      keys_[i].push_back(shown.empty() && !inputs_[i].latticeSky ? inputs_[i].view : hash.text());
+      for (const std::size_t other : sees_[i]) seen[other] = 1;
+      for (const std::size_t other : order) {
+        if (std::exchange(seen[other], 0) != 0) hash.add(texts[other]);
+      }
+      keys_[i].push_back(sees_[i].empty() && !inputs_[i].latticeSky ? inputs_[i].view : hash.text());
     }
   }
 }
