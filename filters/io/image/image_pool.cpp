@@ -75,8 +75,8 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
       result[missing[at]] = std::make_shared<const ImageRgba8>(std::move(picture));
     } catch (const TooManyPixels&) {
       failures[missing[at]] = std::make_exception_ptr(
-          InputError(image.place + ": with the model's other pictures it comes to more than " + gigabytesText(mostBytes_) +
-                     ", a sixth of this machine's memory; use smaller pictures"));
+          InputError(image.place + ": with the model's other pictures it comes to more than " +
+                     gigabytesText(mostBytes_) + ", a sixth of this machine's memory; use smaller pictures"));
     } catch (const InputError& problem) {
       problems[missing[at]] = problem.what();
     } catch (...) {
