@@ -91,8 +91,10 @@ vtkSmartPointer<vtkOpenGLRenderWindow> openOffscreenWindow(const OffscreenSettin
   glGetIntegerv(GL_MAJOR_VERSION, &major);
   glGetIntegerv(GL_MINOR_VERSION, &minor);
   const std::string missing = missingFromOpenGl(10 * major + minor, drawsFloats());
-  if (!missing.empty()) requireMemory();
-  if (!missing.empty()) throw WorkError("this OpenGL driver cannot draw probes: " + missing);
+  if (!missing.empty()) {
+    requireMemory();
+    throw WorkError("this OpenGL driver cannot draw probes: " + missing);
+  }
   int mostSamples = 1;
   glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);
   const int samples = std::min(settings.samplesPerPixel, mostSamples);

@@ -128,6 +128,16 @@ TEST(ProbeCopies, StandBesideOneAnotherAndKeepTheRest) {
     ASSERT_LT(glm::length(copy.box.max - moved.box.max) + glm::length(copy.influence->min - moved.influence->min),
               1e-7);
   }
+  // In the same place with another influence, or none.
+  Probe other = hall;
+  other.influence = Box{{-0.75, 0.25, -1.0}, {2.0, 1.75, 0.0}};
+  Probe copy = copies.add(other);
+  const Probe moved = movedProbe(other, copy.origin - other.origin);
+  EXPECT_LT(glm::length(copy.influence->min - moved.influence->min), 1e-12);
+  EXPECT_LT(glm::length(copy.influence->max - moved.influence->max), 1e-12);
+  other.influence.reset();
+  EXPECT_FALSE(copies.add(other).influence);
+  EXPECT_TRUE(copies.add(hall).influence);
   Probe apart = movedProbe(hall, {0.0, 20.0, 0.0});
   apart.name = "apart";
   EXPECT_TRUE(copies.add(apart) == apart);

@@ -300,7 +300,8 @@ def main():
     share, shares = map(int, options.shard.split("/"))
     scenes = [scene for scene in scenes if scene.name.split(".")[0] in names][share - 1::shares]
     runs, failed = Runs(options), []
-    print(f"{'scene':34} samplers  limited to {options.units} beside unlimited", flush=True)
+    beside = "in the window, after E beside before" if options.window else "beside unlimited"
+    print(f"{'scene':34} samplers  limited to {options.units} {beside}", flush=True)
     for scene in scenes:
         own = scene.name.split(".")[0]
         for more in [[]] if options.window or "textures" in own else [[], ["--technique", "impostor"]]:

@@ -4,9 +4,8 @@
 usage: limits.py BOXPROBE [--only WORD] [--keep FOLDER]
 
 Writes files of its own and opens each by `boxprobe info` or `boxprobe render`. At a limit a command has to end with status 0; beyond it with
-status 2 and one line that names the file; emissive
-triangles beyond stay in the map. Fails where it does not,
-and where it ends by a signal. Prints a table in Markdown; times and memory are measured and judge nothing.
+status 2 and one line that names the file; emissive triangles beyond stay in the map. Fails where it does not, and where it ends by a
+signal. Prints a table in Markdown; times and memory are measured and judge nothing.
 """
 import argparse
 import json
@@ -187,8 +186,8 @@ LIMITS = [
     ("elements of a PLY file", AT["kPlyElements"], text("elements.ply", ply_elements), INFO, AT["kPlyElements"] + 1, 2),
     ("pieces of a VTP file", AT["kVtpPieces"], text("pieces.vtp", lambda n: vtp(n, 0)), INFO, AT["kVtpPieces"] + 1, 2),
     ("arrays of a VTP file's piece", AT["kVtpArrays"], text("arrays.vtp", lambda n: vtp(1, n)), INFO, AT["kVtpArrays"] + 1, 2),
-    ("side of a picture, pixels", AT["kPictureSide"], lambda folder, n: pictured(folder, n, max(1, n // 2)) if n < 20000 else pictured(folder, n, 2), INFO,
-     AT["kPictureSide"] + 1, 2),
+    ("side of a picture, pixels", AT["kPictureSide"],
+     lambda folder, n: pictured(folder, n, max(1, n // 2)) if n < 20000 else pictured(folder, n, 2), INFO, AT["kPictureSide"] + 1, 2),
     ("pixels of a picture", AT["kPicturePixels"], lambda folder, n: pictured(folder, 16384, n // 16384), INFO, AT["kPicturePixels"] + 16384, 2),
 ]
 

@@ -26,6 +26,16 @@ TEST(Errors, MemoryThatDoesNotSufficeNamesTheFile) {
   } catch (const WorkError& error) {
     EXPECT_EQ(std::string(error.what()), std::string("a.glb: ") + kOutOfMemory) << "the inner file";
   }
+  const auto failing = [](std::errc code) {
+    return [code] { withMemoryFor("c.glb", [code] { throw std::system_error(std::make_error_code(code)); }); };
+  };
+  try {
+    failing(std::errc::resource_unavailable_try_again)();
+    FAIL() << "nothing thrown";
+  } catch (const WorkError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("c.glb: the system gives no more threads", 0), 0u) << error.what();
+  }
+  EXPECT_THROW(failing(std::errc::io_error)(), std::system_error);
   EXPECT_THROW(withMemoryFor("a.glb", [] { throw InputError("a.glb: damaged"); }), InputError);
 }
 

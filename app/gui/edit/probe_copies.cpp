@@ -35,10 +35,11 @@ Probe ProbeCopies::add(Probe probe) {
     if (next == at) break;
     at = next;
   }
-  last_.insert_or_assign(given, moved);
+  // What was copied before from this place may have had another influence.
+  probe.influence = movedProbe(probe, moved.origin - probe.origin).influence;
   probe.box = moved.box;
-  probe.influence = moved.influence;
   probe.origin = moved.origin;
+  last_.insert_or_assign(given, std::move(moved));
   probe.name = names_.take(probe.name);
   return probe;
 }

@@ -92,9 +92,9 @@ bool Viewport::readyToDraw() const {
   return !lost_ && isValid() && isVisible() && window_->GetReadyForRendering();
 }
 
-// Qt asks the driver each time it makes the context current.
+// Qt asks the driver each time it makes the context current. A widget that moves to another window has none for a while.
 void Viewport::noticeLostContext() {
-  if (lost_ || !made_ || isValid()) return;
+  if (lost_ || context() == nullptr || isValid()) return;
   lost_ = true;
   QTimer::singleShot(0, this, &Viewport::contextLost);
 }
@@ -118,7 +118,6 @@ void Viewport::setPicking(bool on) {
 
 void Viewport::initializeGL() {
   QVTKOpenGLNativeWidget::initializeGL();
-  made_ = true;
   // Where the processor draws, four samples per pixel make a picture take three times as long: following the mouse
   // comes first there.
   softwareRenderer_ = tunedForCpu();

@@ -92,8 +92,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   ProbeWidget* probeWidget_ = nullptr;
   bool picking_ = false;
   bool softwareRenderer_ = false;
-  bool made_ = false, lost_ = false;  ///< the context
-  std::optional<QPointF> pressed_;    ///< while what began there may still become a click
+  bool lost_ = false;               ///< the context
+  std::optional<QPointF> pressed_;  ///< while what began there may still become a click
   QLabel* readout_;
 };
 

@@ -19,7 +19,7 @@ void setSurfaceFormat() {
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   // The widget only copies what VTK drew into buffers of its own; samples of its own would be paid for and not seen.
   format.setSamples(0);
-  format.setOption(QSurfaceFormat::ResetNotification);  // a driver's reset is told, where it can be
+  format.setOption(QSurfaceFormat::ResetNotification);  // where the driver can tell of a reset, it does
   QSurfaceFormat::setDefaultFormat(format);
 }
 

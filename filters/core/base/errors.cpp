@@ -1,7 +1,5 @@
 #include "filters/core/base/errors.h"
 
-#include <system_error>
-
 namespace boxprobe {
 
 std::string messageOf(const std::exception& error) {

@@ -5,6 +5,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "filters/core/base/export.h"
 
@@ -37,13 +38,16 @@ BOXPROBE_EXPORT std::string messageOf(const std::exception& error);
 /// What messageOf() says of std::bad_alloc.
 constexpr const char* kOutOfMemory = "out of memory; close other programs, or use smaller models and pictures";
 
-/// What `work` returns. Where memory does not suffice, the WorkError names what it was for: a file.
+/// What `work` returns. Where memory or threads do not suffice, the WorkError names what they were for: a file.
 template <typename Work>
 auto withMemoryFor(const std::string& file, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
     throw WorkError(file + ": " + kOutOfMemory);
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) throw;
+    throw WorkError(file + ": " + messageOf(error));
   }
 }
 

@@ -3,13 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What a file may count, all in one place. Beyond a limit a reader refuses the file in one line that names it, before
-/// it takes memory for it. Below it time and memory are linear. tests/stress/limits.py tries the limits in the table of
-/// tests/README.md, and reads them here.
+/// What a file may count. Beyond a limit a reader refuses the file in one line that names it, before it takes memory
+/// for it, unless another rule stands beside the limit. tests/stress/limits.py reads them here and tries those in the
+/// table of tests/README.md.
 namespace boxprobe::limits {
 
-// Numbers. Shaders compute in single precision, which ends at 3.4e38: up to this limit, in scene units or units of
-// light, the square of a distance, the product of two lights and the extent of a box are finite.
+// Numbers
+/// In scene units, units of light or as a factor. Shaders compute in single precision, which ends at 3.4e38: up to this
+/// limit the square of a distance, the product of two lights, the extent of a box, and a position after a transform of
+/// this size are finite. Materials' numbers beyond it are clamped.
 constexpr double kNumber = 1e18;
 /// Of geometry in the world, after all transforms. A float still holds the area of a triangle that large.
 constexpr double kWorldCoordinate = 1.0e15;

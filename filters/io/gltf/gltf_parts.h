@@ -17,9 +17,6 @@
 
 namespace boxprobe {
 
-/// Limit of positions, transforms and factors. A transform of this size takes a position of this size to 1e36, still
-/// inside single precision.
-
 /// An image as the file names it; its bytes are read when a material uses it.
 struct GltfImage {
   std::string name;

@@ -108,7 +108,8 @@ class VtpXml {
       file_.wideHeaders = attribute(attributes, "header_type") == "UInt64";
       file_.compressor = attribute(attributes, "compressor");
     } else if (name == "Piece") {
-      if (file_.pieces.size() == limits::kVtpPieces) throw InputError("has more than 1000 pieces; save it as one");
+      if (file_.pieces.size() == limits::kVtpPieces)
+        throw InputError("has more than " + std::to_string(limits::kVtpPieces) + " pieces; save it as one");
       VtpPiece piece;
       piece.points = count(attributes, "NumberOfPoints", 0, most);
       piece.verts = count(attributes, "NumberOfVerts", 0, most);
@@ -131,7 +132,8 @@ class VtpXml {
     array_ = nullptr;
     if (file_.pieces.empty()) return;  // field data
     std::vector<VtpArray>& arrays = file_.pieces.back().arrays;
-    if (arrays.size() == limits::kVtpArrays) throw InputError("has more than 1000 arrays in a piece; leave some out");
+    if (arrays.size() == limits::kVtpArrays)
+      throw InputError("has more than " + std::to_string(limits::kVtpArrays) + " arrays in a piece; leave some out");
     VtpArray array;
     array.section = section_;
     array.name = attribute(attributes, "Name");
