@@ -23,6 +23,7 @@
 #include "app/gui/window/lessons_command.h"
 #include "app/gui/window/window_app.h"
 #include "app/session/display_check.h"
+#include "app/session/environment_check.h"
 #include "app/session/interrupt.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
@@ -41,6 +42,7 @@ std::string inputOf(const CLI::App& arguments) {
 }
 
 int run(int& argc, char** argv) {
+  requireMeantEnvironment();
   CLI::App program("Places reflection probes, shows what box projection does to them, and draws the result.",
                    "boxprobe");
   program.formatter(std::make_shared<HelpText>());  // the sub-commands take it over

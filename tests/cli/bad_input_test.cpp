@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "tests/cli/program.h"
 
@@ -205,6 +207,21 @@ TEST_F(BadInput, Frames) {
 }
 TEST_F(BadInput, Probes) {
   expectArgumentsRefused({"-o", folder.path("out.png"), "--probes", "maybe"}, {"--probes"});
+}
+// A value that means nothing is not taken as none.
+TEST_F(BadInput, VariablesOfTheEnvironment) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> refused = {
+      {"BOXPROBE_RENDERER_TUNING", {"card", ""}},
+      {"BOXPROBE_ANISOTROPY", {"0", "17", "2.5", "8x"}},
+      {"BOXPROBE_TEXTURE_UNITS", {"-3", "many"}},
+      {"BOXPROBE_TEXTURE_MEMORY", {"0", "4GB", "nan"}}};
+  for (const auto& [name, values] : refused) {
+    for (const std::string& value : values) {
+      ::setenv(name.c_str(), value.c_str(), 1);
+      expectArgumentsRefused({"-o", folder.path("out.png")}, {name, "\"" + value + "\"", "it takes"});
+    }
+    ::unsetenv(name.c_str());
+  }
 }
 TEST_F(BadInput, UnknownFlag) {
   expectArgumentsRefused({"-o", folder.path("out.png"), "--fast"}, {"--fast"});

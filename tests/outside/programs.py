@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Every OpenGL program that the program draws its scenes with, held against Khronos' compilers and against the least that OpenGL promises.
 
-usage: programs.py BOXPROBE SCENES FOLDER [SCENE...]
+usage: programs.py BOXPROBE SCENES FOLDER [SCENE...] [--set PLACE=VALUE]...
 
 Mesa writes each program as it reaches the driver. glslangValidator checks and links it as GLSL 1.50, as which it is compiled, and as
 SPIR-V, which spirv-val checks; for that alone gl_FragData becomes an output of its own. Samplers and components of uniforms are those
 that glslang's linker finds in use by the fragment shader. Fails where a compiler refuses a program, where a program of a shipped scene
-has more than 16 samplers, or more than 1,024 components (what OpenGL promises).
+has more than 16 samplers, or more than 1,024 components (what OpenGL promises). --set goes to the program: with smaller faces of its
+probes a large scene is drawn by the same programs in a part of the time.
 """
 import hashlib
 import os
@@ -36,13 +37,13 @@ def captured_in(folder):
             yield shader["vertex shader"], shader["fragment shader"], shader.get("geometry shader", "")
 
 
-def captured(program, scene, folder):
-    """{hash: (vertex, fragment, how)} of all programs that this scene is drawn with."""
+def captured(program, scene, folder, edits=()):
+    """{hash: (vertex, fragment, how)} of all programs that this scene is drawn with, after the edits of --set."""
     found = {}
     for drawn in DRAWN:
         with tempfile.TemporaryDirectory() as into:
             environment = dict(os.environ, MESA_SHADER_CAPTURE_PATH=into, MESA_SHADER_CACHE_DISABLE="1", GALLIVM_PERF="nopt")
-            command = [program, "render", str(scene), "-o", str(folder / "drawn.png"), "--size", "64x36", "--quiet", *drawn]
+            command = [program, "render", str(scene), "-o", str(folder / "drawn.png"), "--size", "64x36", "--quiet", *drawn, *edits]
             done = subprocess.run(command, env=environment, capture_output=True, text=True)
             if done.returncode != 0:
                 sys.exit(f"{scene.name} {' '.join(drawn)}: {done.stderr.strip().splitlines()[-1:]}")
@@ -100,13 +101,16 @@ def main():
         if shutil.which(needed) is None:
             print(f"left out: package {package} is not installed")
             return 77
-    program, scenes, folder = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
+    program, scenes, folder, *more = sys.argv[1:]
+    scenes, folder = Path(scenes), Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    names = [Path(name) for name in sys.argv[4:]] or sorted(scenes.glob("*.boxprobe.json"))
+    first = more.index("--set") if "--set" in more else len(more)
+    edits = more[first:]
+    names = [Path(name) for name in more[:first]] or sorted(scenes.glob("*.boxprobe.json"))
     failed, seen = 0, {}
     print(f"{'scene':20} programs  samplers  components")
     for scene in names:
-        found = captured(program, scene, folder)
+        found = captured(program, scene, folder, edits)
         most = [0, 0]
         for name, (*pair, how) in found.items():
             if name not in seen:

@@ -47,6 +47,35 @@ TEST(FitRays, ACornerThatIsNoNumberDoesNotMoveTheCore) {
   }
 }
 
+// A hundred thousand rays and as many triangles in one place: tried one by one they would take many minutes. The
+// sliver has little area, and some.
+TEST(FitRays, TrianglesWithoutAreaAreNotTried) {
+  MadeModel made;
+  made.box(kStudy, true);
+  Scene scene;
+  scene.models = {{"made.glb"}};
+  const TriangleRays alone(scene, {std::make_shared<const Model>(made.model)});
+  const glm::vec3 point(1.1f, 1.3f, 0.7f), end(1.7f, 0.6f, 0.9f);
+  made.quad(point, end, end + glm::vec3(0, 0, 1e-4f), point + glm::vec3(0, 0, 1e-4f));
+  Mesh& mesh = made.model.meshes.back();
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), {point, end, point});
+  for (int i = 0; i < 50000; ++i) {
+    for (const std::uint32_t k : {0u, 2u, 0u, 0u, 2u, 1u}) mesh.indices.push_back(first + k);
+  }
+  const TriangleRays among(scene, {std::make_shared<const Model>(made.model)});
+  const glm::dvec3 from(-0.4, 1.2, 0.3);
+  for (int i = 1; i < 100000; ++i) {
+    const glm::dvec3 to(point + 0.01f * static_cast<float>(i % 99) * (end - point));
+    const std::optional<SurfaceHit> hit = among.first(from, to - from), wall = alone.first(from, to - from);
+    ASSERT_TRUE(hit && wall) << i;
+    if (hit->distance > 1.01) EXPECT_DOUBLE_EQ(hit->distance, wall->distance) << i;
+  }
+  const std::optional<SurfaceHit> sliver = among.first({1.4, 2.0, 0.80005}, {0.0, -1.0, 0.0});
+  ASSERT_TRUE(sliver);
+  EXPECT_NEAR(2.0 - sliver->distance, 0.95, 1e-3);
+}
+
 TEST(FitRays, ADistanceCubeIsEnough) {
   MadeModel made;
   made.box(kStudy, true);

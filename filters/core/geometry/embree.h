@@ -8,7 +8,13 @@
 #endif
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <initializer_list>
+#include <vector>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/memory_check.h"
@@ -31,6 +37,44 @@ inline RTCDevice newRayDevice() {
     throw WorkError("the ray tracer (Embree) does not start on this machine");
   }
   return device;
+}
+
+/// Space for triangles in a geometry; null pointers without memory, which the device's error tells.
+struct TracedTriangles {
+  glm::vec3* positions = nullptr;
+  std::uint32_t* corners = nullptr;  ///< three of each triangle
+};
+
+inline TracedTriangles newTriangles(RTCGeometry geometry, std::size_t positions, std::size_t triangles) {
+  return {static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                          sizeof(glm::vec3), positions)),
+          static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                              3 * sizeof(std::uint32_t), triangles))};
+}
+
+/// Takes triangles without area, which no ray can hit, out of what Embree tries: a ray through a point where 600,000
+/// of them lie would try each. Embree leaves out a triangle with a corner beyond the positions.
+inline void leaveOutWithoutArea(const TracedTriangles& all, std::size_t triangles) {
+  constexpr std::uint32_t kNoCorner = ~0u;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    std::uint32_t* corner = all.corners + 3 * i;
+    const glm::dvec3 a(all.positions[corner[0]]), b(all.positions[corner[1]]), c(all.positions[corner[2]]);
+    if (glm::cross(b - a, c - a) == glm::dvec3(0.0)) corner[0] = corner[1] = corner[2] = kNoCorner;
+  }
+}
+
+/// Triangles of one object, not committed yet.
+inline RTCGeometry newTriangleGeometry(RTCDevice device, const std::vector<glm::vec3>& positions,
+                                       const std::vector<std::uint32_t>& corners) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const std::size_t triangles = corners.size() / 3;
+  const TracedTriangles space = newTriangles(geometry, positions.size(), triangles);
+  if (space.positions != nullptr && space.corners != nullptr) {
+    std::memcpy(space.positions, positions.data(), positions.size() * sizeof(glm::vec3));
+    std::memcpy(space.corners, corners.data(), 3 * triangles * sizeof(std::uint32_t));
+    leaveOutWithoutArea(space, triangles);
+  }
+  return geometry;
 }
 
 inline bool canBeTraced(const RTCRay& ray) {

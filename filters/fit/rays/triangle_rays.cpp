@@ -212,11 +212,10 @@ struct TriangleRays::Structure {
             std::size_t triangleCount) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_LOW);
-    auto* position = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positionCount));
-    auto* corner = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangleCount));
-    if (position != nullptr && corner != nullptr) {
+    const TracedTriangles space = newTriangles(geometry, positionCount, triangleCount);
+    if (space.positions != nullptr && space.corners != nullptr) {
+      glm::vec3* position = space.positions;
+      std::uint32_t* corner = space.corners;
       std::uint32_t begin = 0;
       for (const PlacedMesh& each : placed) {
         for (const glm::vec3& p : each.mesh->positions) {
@@ -228,6 +227,7 @@ struct TriangleRays::Structure {
         }
         begin += static_cast<std::uint32_t>(each.mesh->positions.size());
       }
+      leaveOutWithoutArea(space, triangleCount);
     }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -180,19 +179,10 @@ PathScene::PathScene(TriangleScene scene)
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
     const TracedObject& object = scene_.objects[i];
     if (object.indices.size() < 3 || !object.inPicture) continue;
-    RTCGeometry geometry = rtcNewGeometry(s.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
-                                              object.positions.size());
-    const std::size_t triangles = object.indices.size() / 3;
-    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                            3 * sizeof(std::uint32_t), triangles);
-    if (positions != nullptr && indices != nullptr) {
-      std::memcpy(positions, object.positions.data(), object.positions.size() * sizeof(glm::vec3));
-      std::memcpy(indices, object.indices.data(), 3 * triangles * sizeof(std::uint32_t));
-      if (!object.material.doubleSided || object.material.alphaMode == AlphaMode::Mask) {
-        rtcSetGeometryUserData(geometry, const_cast<TracedObject*>(&object));
-        rtcSetGeometryIntersectFilterFunction(geometry, skipHit);
-      }
+    RTCGeometry geometry = newTriangleGeometry(s.device, object.positions, object.indices);
+    if (!object.material.doubleSided || object.material.alphaMode == AlphaMode::Mask) {
+      rtcSetGeometryUserData(geometry, const_cast<TracedObject*>(&object));
+      rtcSetGeometryIntersectFilterFunction(geometry, skipHit);
     }
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(s.scene, geometry, static_cast<unsigned>(i));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <string>
@@ -121,18 +120,10 @@ void skipHit(const RTCFilterFunctionNArguments* args) {
 }
 
 RTCGeometry makeGeometry(RTCDevice device, const TracedObject& object) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
-                                            object.positions.size());
-  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                          3 * sizeof(std::uint32_t), object.indices.size() / 3);
-  if (positions != nullptr && indices != nullptr) {
-    std::memcpy(positions, object.positions.data(), object.positions.size() * sizeof(glm::vec3));
-    std::memcpy(indices, object.indices.data(), object.indices.size() / 3 * 3 * sizeof(std::uint32_t));
-    if (!object.material.doubleSided || object.material.alphaMode == AlphaMode::Mask) {
-      rtcSetGeometryUserData(geometry, const_cast<TracedObject*>(&object));
-      rtcSetGeometryIntersectFilterFunction(geometry, skipHit);
-    }
+  RTCGeometry geometry = newTriangleGeometry(device, object.positions, object.indices);
+  if (!object.material.doubleSided || object.material.alphaMode == AlphaMode::Mask) {
+    rtcSetGeometryUserData(geometry, const_cast<TracedObject*>(&object));
+    rtcSetGeometryIntersectFilterFunction(geometry, skipHit);
   }
   rtcCommitGeometry(geometry);
   return geometry;
