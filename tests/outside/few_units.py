@@ -247,7 +247,7 @@ class Window:
 def in_window(runs, name, scene, options, folder):
     window = Window(runs, scene, folder)
     wrong, before, explaining, after = [], None, None, None
-    aside, middle = ("mousemove", "3", "3"), ("mousemove", "560", "360")
+    aside, middle = ("mousemove", "3", "3"), ("mousemove", "600", "640")
     try:
         window.do(*aside)
         before = window.at_rest(options.seconds)

@@ -69,7 +69,9 @@ TEST(FitRays, TrianglesWithoutAreaAreNotTried) {
     const glm::dvec3 to(point + 0.01f * static_cast<float>(i % 99) * (end - point));
     const std::optional<SurfaceHit> hit = among.first(from, to - from), wall = alone.first(from, to - from);
     ASSERT_TRUE(hit && wall) << i;
-    if (hit->distance > 1.01) EXPECT_DOUBLE_EQ(hit->distance, wall->distance) << i;
+    if (hit->distance > 1.01) {
+      EXPECT_DOUBLE_EQ(hit->distance, wall->distance) << i;
+    }
   }
   const std::optional<SurfaceHit> sliver = among.first({1.4, 2.0, 0.80005}, {0.0, -1.0, 0.0});
   ASSERT_TRUE(sliver);
