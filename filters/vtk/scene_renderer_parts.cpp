@@ -432,6 +432,7 @@ void SceneParts::releaseGraphics() {
   inspector.release();
   state->resources.lattices->release();
   state->resources.sights->release();
+  state->resources.lampBlock->release();
   state->resources.opennessTexture->release();
   state->resources.listedLights->release();
   releaseStaticTextures(state->resources);

@@ -1,29 +1,36 @@
 // Lamps of the draw's probes, drawn as shapes (shared/lamp.glsl): relative to the eye, world axes. Needs gpu/probe_shares.glsl.
 uniform int bpLampCount;
-uniform vec3 bpLampCorner[BP_LAMPS * 8];
-uniform vec3 bpLampMiddle[BP_LAMPS];
-uniform vec4 bpLampPlane[BP_LAMPS];
-uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
-uniform vec3 bpLampLight[BP_LAMPS];     // radiance
 uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0: all is in slot 0 then
-uniform vec4 bpLampOf[BP_LAMPS];        // 1 for each of the draw's probes whose lamp it is
-#if BP_SIGHTS
-uniform vec4 bpLampChannel[BP_LAMPS];   // in each of them, where its visibility stands: gpu/sight.glsl
-#endif
+layout(std140) uniform bpLampBlock      // filters/vtk/maps/lamp_block.h
+{
+  vec4 bpLampCorner[BP_LAMPS * 8];
+  vec4 bpLampMiddle[BP_LAMPS];          // w: its corners, and 16 more if both sides shine
+  vec4 bpLampPlane[BP_LAMPS];
+  vec4 bpLampLight[BP_LAMPS];           // radiance
+  vec4 bpLampGlossy[BP_LAMPS];          // radiance, less what the maps without lamps have in its place
+  vec4 bpLampOf[BP_LAMPS];              // 1 for each of the draw's probes whose lamp it is
+  vec4 bpLampChannel[BP_LAMPS];         // in each of them, where its visibility stands: gpu/sight.glsl
+};
+
+int lampShape(int lamp)
+{
+  return int(bpLampMiddle[lamp].w);
+}
 
 int lampCornerCount(int lamp)
 {
-  return bpLampShape[lamp] < 16 ? bpLampShape[lamp] : bpLampShape[lamp] - 16;
+  int shape = lampShape(lamp);
+  return shape < 16 ? shape : shape - 16;
 }
 
 vec3 lampCorner(int lamp, int i)
 {
-  return bpLampCorner[8 * lamp + i];
+  return bpLampCorner[8 * lamp + i].xyz;
 }
 
 vec3 lampMiddle(int lamp)
 {
-  return bpLampMiddle[lamp];
+  return bpLampMiddle[lamp].xyz;
 }
 
 vec4 lampPlane(int lamp)
@@ -33,12 +40,11 @@ vec4 lampPlane(int lamp)
 
 bool lampShinesBothSides(int lamp)
 {
-  return bpLampShape[lamp] >= 16;
+  return lampShape(lamp) >= 16;
 }
 
 uniform vec4 bpLampLit;                 // 1 for each of the probes whose diffuse light is lamps'
 #if BP_LAMP_LOBES
-uniform vec3 bpLampGlossy[BP_LAMPS];    // radiance, less what the maps without lamps have in its place
 uniform float bpLampColors;             // 1 if the lamps are of several
 uniform int bpLobeCount;                // of the lamps in reflections: all, or 0 in captures, which show lamps as maps do
 #endif
@@ -101,7 +107,7 @@ vec3 bpLampsIrradiance(vec3 position, vec3 normal)
     do
     {
       int lamp = bpFirstLamp(left);
-      sum += bpLampWeight(lamp, shares) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
+      sum += bpLampWeight(lamp, shares) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp].rgb;
       left &= left - 1;
     } while (left != 0);
   }
@@ -130,8 +136,8 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
       bool waits = glance.tooNear && weight > 0.0f;
       close += waits ? 1 << lamp : 0;
       vec2 lit = waits ? vec2(0.0f) : weight * glance.light;
-      light.lampsF0 += lit.x * bpLampGlossy[lamp];
-      light.lampsF90 += lit.y * bpLampLight[lamp];
+      light.lampsF0 += lit.x * bpLampGlossy[lamp].rgb;
+      light.lampsF90 += lit.y * bpLampLight[lamp].rgb;
       left &= left - 1;
     } while (left != 0);
     if (close != 0)
@@ -140,13 +146,13 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
       {
         int lamp = bpFirstLamp(close);
         vec2 lit = bpLampWeight(lamp, shares) * lampGlossyNear(lamp, position, lobe);
-        light.lampsF0 += lit.x * bpLampGlossy[lamp];
-        light.lampsF90 += lit.y * bpLampLight[lamp];
+        light.lampsF0 += lit.x * bpLampGlossy[lamp].rgb;
+        light.lampsF90 += lit.y * bpLampLight[lamp].rgb;
         close &= close - 1;
       } while (close != 0);
     }
   }
-  light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0, bpLampGlossy[0]);
+  light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0, bpLampGlossy[0].rgb);
   light.lampsF0 *= byShape;
   light.lampsF90 *= byShape;
 }

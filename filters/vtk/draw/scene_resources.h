@@ -17,6 +17,7 @@
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/draw/listed_lights.h"
 #include "filters/vtk/gl/opengl.h"
+#include "filters/vtk/maps/lamp_block.h"
 #include "filters/vtk/maps/lattice_atlas.h"
 #include "filters/vtk/maps/openness_texture.h"
 #include "filters/vtk/maps/probe_maps.h"
@@ -65,6 +66,7 @@ struct SceneResources {
   std::shared_ptr<const std::vector<Light>> looseLights;  ///< those that shine and for which no lamp stands
   bool latticesBeside = false;                            ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
+  std::shared_ptr<LampBlock> lampBlock = std::make_shared<LampBlock>();
   std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
   std::shared_ptr<const SkyOpenness> openness;  ///< null: all of the sky is open everywhere, or not traced yet
   std::shared_ptr<OpennessTexture> opennessTexture = std::make_shared<OpennessTexture>();

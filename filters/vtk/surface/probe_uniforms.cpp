@@ -233,11 +233,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   to.program->SetUniform4f("bpLampLit", &lit.x);
   if (binding.lampLobes) to.program->SetUniform1fv("bpLampFree", static_cast<int>(count), free.data());
   constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
-  std::array<glm::vec3, kLamps * kCorners> corners{};
-  std::array<glm::vec3, kLamps> light{}, glossy{}, middle{};
-  std::array<glm::vec4, kLamps> slots{}, channels{}, plane{};
-  std::array<int, kLamps> shape{};
-  shape[0] = 3;  // the loop has one turn at least: of a lamp that is a point and gives nothing
+  LampNumbers<kLamps, kCorners> numbers;
+  numbers.middle[0].w = 3.0f;  // the loop has one turn at least: of a lamp that is a point and gives nothing
   std::vector<std::size_t> drawn;
   for (const auto& entry : lampOf) {
     if (drawn.size() < kLamps) drawn.push_back(entry.first);
@@ -245,36 +242,27 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     const SceneLamp& lamp = lamps->lamps[drawn[k]];
     const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
-    std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(k * kCorners));
-    shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
-    middle[k] = shading::lampMiddle(&polygon);
-    plane[k] = shading::lampPlane(&polygon);
-    light[k] = glm::vec3(lamp.radiance);
-    if (binding.lampLobes) glossy[k] = lampReflected(state, binding, drawn[k]);
-    slots[k] = lampOf[drawn[k]];
-    channels[k] = lampChannels(state.pass(), binding, drawn[k]);
+    for (std::size_t i = 0; i < kCorners; ++i) numbers.corner[k * kCorners + i] = glm::vec4(polygon.corners[i], 0.0f);
+    const int shape = polygon.count + (polygon.bothSides ? 16 : 0);
+    numbers.middle[k] = glm::vec4(shading::lampMiddle(&polygon), static_cast<float>(shape));
+    numbers.plane[k] = shading::lampPlane(&polygon);
+    numbers.light[k] = glm::vec4(glm::vec3(lamp.radiance), 0.0f);
+    if (binding.lampLobes) numbers.glossy[k] = glm::vec4(lampReflected(state, binding, drawn[k]), 0.0f);
+    numbers.of[k] = lampOf[drawn[k]];
+    numbers.channel[k] = lampChannels(state.pass(), binding, drawn[k]);
   }
-  const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
   if (binding.lampLobes) {
-    const auto lampsEnd = glossy.begin() + static_cast<long>(drawn.size());
-    const auto hue = [](const glm::vec3& l) { return l / std::max(l.x + l.y + l.z, 1.0e-30f); };
-    const bool several = std::any_of(
-        glossy.begin(), lampsEnd, [&](const glm::vec3& l) { return glm::length(hue(l) - hue(glossy[0])) > 1.0e-3f; });
-    vectors("bpLampGlossy", glossy.data(), used);
+    const auto lampsEnd = numbers.glossy.begin() + static_cast<long>(drawn.size());
+    const auto hue = [](const glm::vec4& l) { return glm::vec3(l) / std::max(l.x + l.y + l.z, 1.0e-30f); };
+    const bool several = std::any_of(numbers.glossy.begin(), lampsEnd, [&](const glm::vec4& l) {
+      return glm::length(hue(l) - hue(numbers.glossy[0])) > 1.0e-3f;
+    });
     to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
     to.program->SetUniformi("bpLobeCount", state.pass().capture ? 0 : static_cast<int>(drawn.size()));
   }
   to.program->SetUniformf("bpLampsWhole", state.pass().firstBounce ? 1.0f : 0.0f);
   to.program->SetUniformi("bpLampCount", static_cast<int>(drawn.size()));
-  vectors("bpLampCorner", corners.data(), used * kCorners);
-  vectors("bpLampMiddle", middle.data(), used);
-  to.program->SetUniform4fv("bpLampPlane", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&plane[0].x));
-  vectors("bpLampLight", light.data(), used);
-  to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
-  to.program->SetUniform4fv("bpLampOf", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&slots[0].x));
-  if (!binding.sights()) return;
-  to.program->SetUniform4fv("bpLampChannel", static_cast<int>(used),
-                            reinterpret_cast<const float(*)[4]>(&channels[0].x));
+  state.resources.lampBlock->upload(to.program, numbers);
 }
 
 // Of each slot its lattice of visibilities, and where those of light sources stand.
