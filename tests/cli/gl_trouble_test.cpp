@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "filters/core/base/errors.h"
@@ -208,6 +209,42 @@ TEST_F(GlTrouble, WhatTheDriverHasNoTextureUnitsForIsGivenUpInOrderAndSaid) {
   }
   EXPECT_GE(lessImpostors, 2u);
   EXPECT_EQ(lessProbes, 3u);
+}
+
+/// Components of a program's uniforms that stand in no block.
+int componentsOf(GLuint program) {
+  GLint uniforms = 0;
+  glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &uniforms);
+  const std::map<GLint, int> each = {{GL_FLOAT_VEC2, 2}, {GL_FLOAT_VEC3, 3}, {GL_FLOAT_VEC4, 4},
+                                     {GL_INT_VEC2, 2},   {GL_FLOAT_MAT3, 9}, {GL_FLOAT_MAT4, 16}};
+  int sum = 0;
+  for (GLuint i = 0; i < static_cast<GLuint>(uniforms); ++i) {
+    GLint block = 0, type = 0, size = 0;
+    glGetActiveUniformsiv(program, 1, &i, GL_UNIFORM_BLOCK_INDEX, &block);
+    glGetActiveUniformsiv(program, 1, &i, GL_UNIFORM_TYPE, &type);
+    glGetActiveUniformsiv(program, 1, &i, GL_UNIFORM_SIZE, &size);
+    const auto known = each.find(type);
+    if (block == -1) sum += size * (known == each.end() ? 1 : known->second);
+  }
+  return sum;
+}
+
+// OpenGL promises 1,024, of which this leaves half to debug views. Programs have place for sixteen lamps, whatever there
+// are, whose numbers are 736 components and more where they stand in no block.
+TEST_F(GlTrouble, ProgramsOfFourProbesWithLampsLeaveHalfOfThePromisedUniforms) {
+  ScenePicture picture = fourProbes(0, 4);
+  picture.scene.lamps = LampForm::Shapes;
+  picture.show(cameraNamed(picture.scene, "main"));
+  picture.display();
+  int most = 0, ofLamps = 0;
+  for (GLuint program = 1; program < 4000; ++program) {
+    if (glIsProgram(program) == GL_FALSE) continue;
+    most = std::max(most, componentsOf(program));
+    ofLamps += glGetUniformBlockIndex(program, "bpLampBlock") != GL_INVALID_INDEX ? 1 : 0;
+  }
+  EXPECT_GE(ofLamps, 1);
+  EXPECT_GT(most, 150);
+  EXPECT_LE(most, 512);
 }
 
 // A program that does not compile at all, and then one that does.
