@@ -229,8 +229,8 @@ int componentsOf(GLuint program) {
   return sum;
 }
 
-// OpenGL promises 1,024, of which this leaves half to debug views. Programs have place for sixteen lamps, whatever there
-// are, whose numbers are 736 components and more where they stand in no block.
+// OpenGL promises 1,024, of which this leaves half to debug views. Programs have place for sixteen lamps, whatever
+// there are, whose numbers are 736 components and more where they stand in no block.
 TEST_F(GlTrouble, ProgramsOfFourProbesWithLampsLeaveHalfOfThePromisedUniforms) {
   ScenePicture picture = fourProbes(0, 4);
   picture.scene.lamps = LampForm::Shapes;
