@@ -20,10 +20,13 @@ static void PrintTo(const BaselineRun& run, std::ostream* stream) {
 
 namespace {
 
-const std::string kFile = std::string(BOXPROBE_SOURCE_DIR) + "/tests/baseline/baseline.json";
+const std::string kFolder = std::string(BOXPROBE_SOURCE_DIR) + "/tests/baseline/";
+const std::string kFile = kFolder + "baseline.json", kOtherFile = kFolder + "other_processor.json";
 
-bool writes = false;
-BaselineJson kept = BaselineJson::object(), made = BaselineJson::object();
+enum class Writes { Nothing, All, OtherProcessor };
+
+Writes writes = Writes::Nothing;
+BaselineJson kept = BaselineJson::object(), other = BaselineJson::object(), made = BaselineJson::object();
 std::unique_ptr<TemporaryFolder> scenes;
 
 /// The arguments, with the scene's file in place of its name.
@@ -66,12 +69,17 @@ class Baseline : public ::testing::TestWithParam<BaselineRun> {};
 TEST_P(Baseline, IsAsBefore) {
   const BaselineRun& run = GetParam();
   const BaselineJson values = valuesOf(run);
-  if (writes) {
+  if (writes == Writes::All) {
     made[run.name] = values;
     return;
   }
   ASSERT_TRUE(kept.contains(run.name)) << "not in baseline.json; see README.md";
   const std::vector<std::string> found = differences(kept[run.name], values, run.drawn);
+  if (writes == Writes::OtherProcessor) {
+    made[run.name] = found.empty() ? BaselineJson() : values;
+    return;
+  }
+  if (other.contains(run.name) && differences(other[run.name], values, run.drawn).empty()) return;
   std::string text;
   for (std::size_t i = 0; i < found.size() && i < 12; ++i) text += "\n  " + run.name + found[i];
   EXPECT_TRUE(found.empty()) << found.size() << " values differ from tests/baseline/baseline.json:" << text
@@ -118,23 +126,26 @@ TEST(BaselineValues, OfAPictureThreePlacesMayDiffer) {
 int main(int argc, char** argv) {
   using namespace boxprobe::test;
   ::testing::InitGoogleTest(&argc, argv);
-  writes = argc > 1 && std::string(argv[1]) == "--write";
+  const std::string asked = argc > 1 ? argv[1] : "";
+  if (asked == "--write") writes = Writes::All;
+  if (asked == "--write-other-processor") writes = Writes::OtherProcessor;
   if (std::ifstream stream(kFile); stream) kept = BaselineJson::parse(stream);
+  if (std::ifstream stream(kOtherFile); stream) other = BaselineJson::parse(stream);
   scenes = std::make_unique<TemporaryFolder>();
   writeBaselineScenes(scenes->path(""));
   const int result = RUN_ALL_TESTS();
-  if (writes && result == 0) {
-    // In the order of the runs; those that a filter has left out stay as they are.
-    BaselineJson all = BaselineJson::object();
+  if (writes != Writes::Nothing && result == 0) {
+    // In the order of the runs; those that a filter has left out stay as they are, and null is nothing to keep.
+    const bool all = writes == Writes::All;
+    BaselineJson written = BaselineJson::object();
+    const BaselineJson& before = all ? kept : other;
     for (const BaselineRun& run : baselineRuns()) {
-      if (made.contains(run.name)) {
-        all[run.name] = made[run.name];
-      } else if (kept.contains(run.name)) {
-        all[run.name] = kept[run.name];
-      }
+      const BaselineJson& from = made.contains(run.name) ? made : before;
+      if (from.contains(run.name) && !from[run.name].is_null()) written[run.name] = from[run.name];
     }
-    std::ofstream(kFile) << baselineText(all);
-    std::printf("%s: %zu runs\n", kFile.c_str(), all.size());
+    const std::string& file = all ? kFile : kOtherFile;
+    std::ofstream(file) << baselineText(written);
+    std::printf("%s: %zu runs\n", file.c_str(), written.size());
   }
   scenes.reset();
   return result;
