@@ -195,6 +195,8 @@ MainWindow::~MainWindow() {
   panels_->stopReading();
   delete tools_;  // its threads and its drawings over the picture
   tools_ = nullptr;
+  delete lessonDock_;  // gives widths to docks as they are hidden, which they are while the window is half destroyed
+  lessonDock_ = nullptr;
   viewport_->window3d()->MakeCurrent();
   debugView_->releaseGraphics();
   renderer_->releaseGraphics();

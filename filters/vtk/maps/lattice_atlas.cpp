@@ -1,6 +1,8 @@
 #include "filters/vtk/maps/lattice_atlas.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "filters/core/base/errors.h"
 
@@ -47,6 +49,16 @@ void LatticeAtlas::upload(std::size_t tile) const {
                   DiffuseLattice::kCutParts * nodes.z, GL_RGBA, GL_FLOAT, lattice->cuts.data());
 }
 
+// Texels beyond a lattice's last nodes: filtering gives them no weight but for rounding, which is too much for what
+// memory may hold. By slices, since all of it may be hundreds of megabytes.
+void LatticeAtlas::fillWithNothing() const {
+  const std::vector<std::uint16_t> none(static_cast<std::size_t>(4 * kSide * columns_) *
+                                        static_cast<std::size_t>(kSide * rows_));
+  for (int z = 0; z < kDepth; ++z) {
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, z, columns_ * kSide, rows_ * kSide, 1, GL_RGBA, GL_HALF_FLOAT, none.data());
+  }
+}
+
 // Doubles the tiles; all are uploaded again if the columns have moved.
 void LatticeAtlas::grow() {
   if (columns_ == 0) {
@@ -72,6 +84,7 @@ void LatticeAtlas::grow() {
       glTexParameteri(GL_TEXTURE_3D, name, GL_CLAMP_TO_EDGE);
     }
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+    fillWithNothing();
   }
   tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (std::size_t tile = 0; tile < tiles_.size(); ++tile) upload(tile);

@@ -29,6 +29,7 @@ class LatticeAtlas {
 
  private:
   void grow();
+  void fillWithNothing() const;
   void upload(std::size_t tile) const;
   glm::ivec3 first(std::size_t tile) const;
 
