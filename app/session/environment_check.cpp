@@ -25,8 +25,8 @@ const std::vector<Variable>& variables() {
   static const std::vector<Variable> all = {
       {"BOXPROBE_RENDERER_TUNING", {"auto", "cpu", "gpu"}, 0.0, 0.0, true, "auto, cpu or gpu"},
       {"BOXPROBE_ANISOTROPY", {}, 1.0, 16.0, true, "a whole number from 1 to 16"},
-      {"BOXPROBE_TEXTURE_UNITS", {}, 1.0, 1e6, true, "a whole number from 1 on"},
-      {"BOXPROBE_TEXTURE_MEMORY", {}, 1e-6, 1e12, false, "megabytes, a number above 0"},
+      {"BOXPROBE_TEXTURE_UNITS", {}, 1.0, 1e6, true, "a whole number, 1 or more"},
+      {"BOXPROBE_TEXTURE_MEMORY", {}, 1e-6, 1e12, false, "a number of megabytes"},
       {"BOXPROBE_PROGRESS", {"lines"}, 0.0, 0.0, true, "lines"}};
   return all;
 }
@@ -48,8 +48,8 @@ void requireMeantEnvironment() {
   for (const Variable& variable : variables()) {
     const char* value = std::getenv(variable.name);
     if (value == nullptr || meant(variable, value)) continue;
-    throw InputError(std::string("the environment's ") + variable.name + " is \"" + value + "\"; it takes " +
-                     variable.meant + ", or is not set");
+    throw InputError(std::string("the environment's ") + variable.name + " is \"" + value + "\"; set it to " +
+                     variable.meant + ", or unset it");
   }
 }
 

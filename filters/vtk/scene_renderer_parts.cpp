@@ -205,11 +205,15 @@ void SceneParts::applyWindowView() {
   for (const DrawnObject& object : content.objects) {
     const bool hidden = windowView.hidden.count(object.node) > 0;
     object.pass->SetHiddenInView(hidden);
-    object.pass->SetCut(windowView.cutaway.has_value());
     if (windowView.outlined.count(object.node) > 0 && !hidden && object.settings.visible)
       outlined.push_back(object.actor);
   }
+  setCut(windowView.cutaway.has_value());
   outline.show(outlined);
+}
+
+void SceneParts::setCut(bool cut) {
+  for (const DrawnObject& object : content.objects) object.pass->SetCut(cut);
 }
 
 void SceneParts::askTraced(bool changed) {
@@ -385,6 +389,9 @@ ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel,
   window->MakeCurrent();
   frames.dropRays();
   probes.tuning().setMoving(false);
+  // A program that can cut, and does not, may round the last digit otherwise.
+  setCut(false);
+  const ScopeExit cutAgain([this] { setCut(windowView.cutaway.has_value()); });
   prepareDraws();
   std::vector<vtkProp*> props = content.shownProps(renderer);
   // The sky has no value in the debug view: it stays transparent.

@@ -88,6 +88,7 @@ struct SceneParts {
   void setWindowView(const WindowView& wanted);
   /// To objects made or moved since.
   void applyWindowView();
+  void setCut(bool cut);
 
   /// Deleting maps that are replaced or dropped needs their context.
   void makeCurrent();

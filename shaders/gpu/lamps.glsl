@@ -1,7 +1,7 @@
 // Lamps of the draw's probes, drawn as shapes (shared/lamp.glsl): relative to the eye, world axes. Needs gpu/probe_shares.glsl.
 uniform int bpLampCount;
 uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0: all is in slot 0 then
-layout(std140) uniform bpLampBlock      // filters/vtk/maps/lamp_block.h
+layout(std140) uniform bpLampBlock      // filters/vtk/draw/lamp_block.h
 {
   vec4 bpLampCorner[BP_LAMPS * 8];
   vec4 bpLampMiddle[BP_LAMPS];          // w: its corners, and 16 more if both sides shine

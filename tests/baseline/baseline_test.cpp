@@ -21,9 +21,9 @@ static void PrintTo(const BaselineRun& run, std::ostream* stream) {
 namespace {
 
 const std::string kFolder = std::string(BOXPROBE_SOURCE_DIR) + "/tests/baseline/";
-const std::string kFile = kFolder + "baseline.json", kOtherFile = kFolder + "other_processor.json";
+const std::string kFile = kFolder + "baseline.json", kOtherFile = kFolder + "other_machine.json";
 
-enum class Writes { Nothing, All, OtherProcessor };
+enum class Writes { Nothing, All, OtherMachine };
 
 Writes writes = Writes::Nothing;
 BaselineJson kept = BaselineJson::object(), other = BaselineJson::object(), made = BaselineJson::object();
@@ -75,7 +75,7 @@ TEST_P(Baseline, IsAsBefore) {
   }
   ASSERT_TRUE(kept.contains(run.name)) << "not in baseline.json; see README.md";
   const std::vector<std::string> found = differences(kept[run.name], values, run.drawn);
-  if (writes == Writes::OtherProcessor) {
+  if (writes == Writes::OtherMachine) {
     made[run.name] = found.empty() ? BaselineJson() : values;
     return;
   }
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   const std::string asked = argc > 1 ? argv[1] : "";
   if (asked == "--write") writes = Writes::All;
-  if (asked == "--write-other-processor") writes = Writes::OtherProcessor;
+  if (asked == "--write-other-machine") writes = Writes::OtherMachine;
   if (std::ifstream stream(kFile); stream) kept = BaselineJson::parse(stream);
   if (std::ifstream stream(kOtherFile); stream) other = BaselineJson::parse(stream);
   scenes = std::make_unique<TemporaryFolder>();

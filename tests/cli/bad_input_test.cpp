@@ -218,7 +218,7 @@ TEST_F(BadInput, VariablesOfTheEnvironment) {
   for (const auto& [name, values] : refused) {
     for (const std::string& value : values) {
       ::setenv(name.c_str(), value.c_str(), 1);
-      expectArgumentsRefused({"-o", folder.path("out.png")}, {name, "\"" + value + "\"", "it takes"});
+      expectArgumentsRefused({"-o", folder.path("out.png")}, {name, "\"" + value + "\"", "set it to"});
     }
     ::unsetenv(name.c_str());
   }

@@ -92,7 +92,8 @@ bool Viewport::readyToDraw() const {
   return !lost_ && isValid() && isVisible() && window_->GetReadyForRendering();
 }
 
-// Qt asks the driver each time it makes the context current. A widget that moves to another window has none for a while.
+// Qt asks the driver each time it makes the context current. A widget that moves to another window has none for a
+// while.
 void Viewport::noticeLostContext() {
   if (lost_ || context() == nullptr || isValid()) return;
   lost_ = true;

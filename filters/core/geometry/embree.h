@@ -24,8 +24,8 @@ namespace boxprobe {
 /// Embree aborts the program at ray coordinates beyond this (its FLT_LARGE) and at NaN.
 constexpr float kLargestRayCoordinate = 1.8e18f;
 
-/// On x86 with the instructions of AVX2 at most, as wider ones round some hits otherwise. Processors of different
-/// models may still differ in the last bit. Throws WorkError, or std::bad_alloc.
+/// On x86 with the instructions of AVX2 at most, as wider ones round some hits otherwise. Machines may still
+/// differ in the last bit. Throws WorkError, or std::bad_alloc.
 inline RTCDevice newRayDevice() {
 #if defined(__x86_64__) || defined(_M_X64)
   const RTCDevice device = rtcNewDevice("max_isa=avx2");

@@ -49,8 +49,8 @@ void LatticeAtlas::upload(std::size_t tile) const {
                   DiffuseLattice::kCutParts * nodes.z, GL_RGBA, GL_FLOAT, lattice->cuts.data());
 }
 
-// Texels beyond a lattice's last nodes: filtering gives them no weight but for rounding, which is too much for what
-// memory may hold. By slices, since all of it may be hundreds of megabytes.
+// Texels beyond a lattice's last nodes would hold what was in memory. Filtering should give them no weight, but by
+// Mesa's softpipe they show. By slices, since all of it may be hundreds of megabytes.
 void LatticeAtlas::fillWithNothing() const {
   const std::vector<std::uint16_t> none(static_cast<std::size_t>(4 * kSide * columns_) *
                                         static_cast<std::size_t>(kSide * rows_));

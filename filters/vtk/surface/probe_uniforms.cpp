@@ -232,8 +232,9 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   if (!binding.lampsDrawn()) return;
   to.program->SetUniform4f("bpLampLit", &lit.x);
   if (binding.lampLobes) to.program->SetUniform1fv("bpLampFree", static_cast<int>(count), free.data());
-  constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
-  LampNumbers<kLamps, kCorners> numbers;
+  constexpr std::size_t kLamps = LampNumbers::kLamps, kCorners = LampNumbers::kCorners;
+  static_assert(kCorners == shading::kLampCorners);
+  LampNumbers numbers;
   numbers.middle[0].w = 3.0f;  // the loop has one turn at least: of a lamp that is a point and gives nothing
   std::vector<std::size_t> drawn;
   for (const auto& entry : lampOf) {

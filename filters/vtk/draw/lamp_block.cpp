@@ -1,17 +1,17 @@
-#include "filters/vtk/maps/lamp_block.h"
+#include "filters/vtk/draw/lamp_block.h"
 
 #include <vtkShaderProgram.h>
 
 namespace boxprobe {
 
-void LampBlock::upload(vtkShaderProgram* program, const void* bytes, std::size_t size) {
+void LampBlock::upload(vtkShaderProgram* program, const LampNumbers& numbers) {
   constexpr GLuint kPlace = 1;  // the prefilter's taps have 0
   const auto number = static_cast<GLuint>(program->GetHandle());
   const GLuint block = glGetUniformBlockIndex(number, "bpLampBlock");
   if (block == GL_INVALID_INDEX) return;
   if (handle_ == 0) glGenBuffers(1, &handle_);
   glBindBufferBase(GL_UNIFORM_BUFFER, kPlace, handle_);
-  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(size), bytes, GL_STREAM_DRAW);
+  glBufferData(GL_UNIFORM_BUFFER, sizeof numbers, &numbers, GL_STREAM_DRAW);
   glUniformBlockBinding(number, block, kPlace);
 }
 
