@@ -94,7 +94,7 @@ LoadedScene loadBareModel(const std::string& path, const std::vector<std::string
   for (const std::string& assignment : assignments) (changesModel(assignment) ? first : then).push_back(assignment);
   setSceneFields(loaded.scene, first);
   loaded.models = loadModels(loaded.scene, progress);
-  checkExtent(loaded.scene, loaded.models);
+  checkGeometry(loaded.scene, loaded.models);
   if (wishes.studio.empty()) wishes.studio = studioFile();
   loaded.fit = fitModel(loaded.scene, loaded.models, wishes);
   adoptFromModels(loaded);
@@ -190,7 +190,7 @@ LoadedScene readScene(const std::string& path, const std::vector<std::string>& a
     loaded.scene = openGlbScene(path);
     setSceneFields(loaded.scene, assignments);
     loaded.models = loadModels(loaded.scene, progress);
-    checkExtent(loaded.scene, loaded.models);
+    checkGeometry(loaded.scene, loaded.models);
     requireMirrors(loaded, path);
   } else if (isModelPath(path)) {
     loaded = loadBareModel(path, assignments, progress, std::move(wishes));
@@ -201,7 +201,7 @@ LoadedScene readScene(const std::string& path, const std::vector<std::string>& a
     loaded.path = absolutePath(path);
     setSceneFields(loaded.scene, assignments);
     loaded.models = loadModels(loaded.scene, progress);
-    checkExtent(loaded.scene, loaded.models);
+    checkGeometry(loaded.scene, loaded.models);
     adoptFromModels(loaded);
     requireMirrors(loaded, path);
   } else {

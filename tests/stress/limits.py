@@ -151,6 +151,19 @@ def far(folder, count):
     return text("far.obj", lambda n: ["v 0 0 0\nv %g 0 0\nv 0 %g 0\nf 1 2 3\n" % (n, n)])(folder, count)
 
 
+def piled(folder, count):
+    """A room, and in it so many copies of one triangle; the room has 12."""
+    corners = [(x, y, z) for x in (-3.1, 2.9) for y in (0, 2.7) for z in (-2, 2.3)]
+    sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    room = [[corners[side[i]] for i in three] for side in sides for three in ((0, 1, 2), (0, 2, 3))]
+    pile = [(.1, .7, .3), (.9, .8, .5), (.4, 1.6, -.2)]
+    def packed(triangle):
+        return struct.pack("<12fH", 0, 0, 0, *[x for corner in triangle for x in corner], 0)
+    path = folder / "pile.stl"
+    path.write_bytes(bytes(80) + struct.pack("<I", count + 12) + b"".join(map(packed, room)) + packed(pile) * count)
+    return [path]
+
+
 def large(folder, count):
     path = folder / "scene.boxprobe.json"
     described = json.loads(ROOM.read_text())
@@ -183,6 +196,7 @@ LIMITS = [
     ("emissive triangles drawn as shapes", AT["kLampTriangles"], shining, INFO, AT["kLampTriangles"] + 1, 0),
     ("corners of an OBJ file's polygon", AT["kPolygonCorners"], text("polygon.obj", polygon), INFO, AT["kPolygonCorners"] + 1, 2),
     ("largest coordinate, world space", AT["kWorldCoordinate"], far, INFO, 2 * AT["kWorldCoordinate"], 2),
+    ("triangles in one place", AT["kTrianglesInOnePlace"], piled, INFO, AT["kTrianglesInOnePlace"] + 1, 2),
     ("elements of a PLY file", AT["kPlyElements"], text("elements.ply", ply_elements), INFO, AT["kPlyElements"] + 1, 2),
     ("pieces of a VTP file", AT["kVtpPieces"], text("pieces.vtp", lambda n: vtp(n, 0)), INFO, AT["kVtpPieces"] + 1, 2),
     ("arrays of a VTP file's piece", AT["kVtpArrays"], text("arrays.vtp", lambda n: vtp(1, n)), INFO, AT["kVtpArrays"] + 1, 2),

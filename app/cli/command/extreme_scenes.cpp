@@ -198,7 +198,7 @@ ExtremeScenesResult runExtremeScenes(std::uint64_t first, std::uint64_t count, s
       const Models models = {anyModel(random)};
       Scene scene = anyScene(random);
       validate(scene);
-      checkExtent(scene, models);
+      checkGeometry(scene, models);
       const std::string wrong = tried(std::move(scene), models, random);
       if (wrong.empty()) continue;
       if (++result.nonFinite == 1) result.worst = "scene " + std::to_string(number) + ": " + wrong;

@@ -39,6 +39,8 @@ constexpr int kCubeFace = 4096;                    ///< texels along a face of a
 
 // Models
 constexpr std::size_t kPolygonCorners = 4096;  ///< ear clipping takes at least quadratic time
+/// In one place of the scene, and with an area: a ray through it tries each of them.
+constexpr std::size_t kTrianglesInOnePlace = 20000;
 constexpr std::size_t kPlyElements = 256;
 constexpr std::size_t kPlyTextures = 64;
 constexpr std::size_t kVtpPieces = 1000;

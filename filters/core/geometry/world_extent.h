@@ -1,5 +1,5 @@
-// How far a scene may extend. Each number of a file is checked where it is read; their combination through transforms
-// is checked here, once, when a scene and its models are put together.
+// What geometry a scene may hold. Each number of a file is checked where it is read; their combination through
+// transforms is checked here, once, when a scene and its models are put together.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,12 @@
 
 namespace boxprobe {
 
-/// Throws InputError naming the node, its model's file and how far it extends if a corner of a mesh's bounds lies
-/// beyond limits::kWorldCoordinate or is not finite after all transforms. `models` in the order of scene.models.
-void checkExtent(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
+/// Throws InputError naming the node and its model's file
+/// - where a corner of a mesh's bounds lies beyond limits::kWorldCoordinate or is not finite after all transforms;
+/// - where about limits::kTrianglesInOnePlace triangles overlap. 64 places are looked at, and triangles are counted
+/// whose
+///   bounds hold them: of more than 65,536, a sample.
+/// `models` in the order of scene.models.
+void checkGeometry(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 
 }  // namespace boxprobe

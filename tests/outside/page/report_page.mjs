@@ -21,9 +21,7 @@ for (const [width, mobile] of [[1280, false], [360, true]]) {
   check(await page.evaluate('[...document.images].every((i) => i.complete && i.naturalWidth === 160)'), `${width} pixels: every picture is there`);
   const [x, y] = await page.middle('.pair'), third = await page.evaluate('document.querySelector(".pair").clientWidth / 4');
   if (mobile) {
-    await page.touch('touchStart', x, y);
-    await page.touch('touchMove', x - third, y);
-    await page.touch('touchEnd', x - third, y);
+    await page.touch([x, y], [x - third, y]);
   } else {
     await page.drag([x, y], [x - third, y]);
   }
