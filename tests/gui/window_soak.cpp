@@ -1,6 +1,7 @@
-// The window used for long: each round opens a scene from its file, drags faces and the origin, orbits, changes the
-// technique, undoes, bakes and saves what was baked, and walks through a lesson. What the process holds is written
-// down after each round. A few rounds by themselves ask that no descriptor and no widget is left behind; for longer:
+// The window used for long: each round opens a scene from its file, with a live link that follows it, drags faces and
+// the origin, orbits, changes the technique, undoes, rests until the picture is refined, bakes and saves what was
+// baked, and walks through a lesson. What the process holds is written down after each round. A few rounds by
+// themselves ask that no descriptor and no widget is left behind; for longer:
 //   BOXPROBE_SOAK_MINUTES=60 BOXPROBE_TEST_OUTPUT=out/soak build/release/tests/gui/window_soak
 #include <gtest/gtest.h>
 
@@ -19,8 +20,10 @@
 #include <random>
 
 #include "app/gui/panels/technique_chooser.h"
+#include "app/gui/view/rest_refinement.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/file_commands.h"
+#include "app/gui/window/live_link.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/lesson_steps.h"
@@ -98,6 +101,22 @@ class WindowSoak : public LessonWindowTest {
     waitUntilIdle();
   }
 
+  /// Until the picture at rest has become better than the technique's own, and the file of the live link stands.
+  void rest(int revision) {
+    RestRefinement& refinement = window_->refinement();
+    const bool enabled = refinement.enabled();
+    refinement.setEnabled(true);
+    refinement.setRest(40);
+    EXPECT_TRUE(waitFor([&] {
+      const FrameCount frames = window_->renderer().frameCount();
+      return frames.refined && frames.averaged > 2;
+    }));
+    EXPECT_TRUE(waitFor([&] { return window_->liveLink().revision() > revision; }));
+    refinement.setRest(kNeverMilliseconds);
+    refinement.setEnabled(enabled);
+    waitUntilIdle();
+  }
+
   void bakeAndSave() {
     window_->findChild<QToolButton*>("bake")->click();
     waitUntilIdle();
@@ -137,8 +156,12 @@ TEST_F(WindowSoak, NothingIsLeftBehind) {
         rows.size() + static_cast<std::size_t>(qEnvironmentVariableIntValue("BOXPROBE_SOAK_FROM"));
     const std::string scene = brief ? kScenes[0] : kScenes[round % std::size(kScenes)];
     openScene(scene);
+    const int revision = window_->liveLink().revision();
+    window_->liveLink().start(folder_.filePath("live.glb"));
     editByHand();
+    rest(revision);
     bakeAndSave();
+    window_->liveLink().stop();
     walkLesson(lessons.lessons[brief ? 0 : round % lessons.lessons.size()]);
     ASSERT_FALSE(HasFailure()) << "round " << round + 1 << ", " << scene;
     SoakRow row = lookAtProcess();
