@@ -152,10 +152,10 @@ TEST_F(OwnSceneTest, SavingInALessonAsksForAName) {
 
   const Lesson lesson = *visit().lesson();
   const QString own = QString::fromStdString(lesson.scene);
-  EXPECT_FALSE(lessons().mayWrite(own));
-  EXPECT_TRUE(lessons().mayWrite(folder.filePath("other.boxprobe.json")));
+  EXPECT_FALSE(window_->files().mayWrite(own));
+  EXPECT_TRUE(window_->files().mayWrite(folder.filePath("other.boxprobe.json")));
   click("leaveLessons");
-  EXPECT_TRUE(lessons().mayWrite(own));
+  EXPECT_TRUE(window_->files().mayWrite(own));
   expectMine();
 }
 
@@ -401,8 +401,8 @@ TEST_F(LessonTest, AFormerNameOpensWhereThatLessonWent) {
   window_->openLesson("sphere-proxy");
   EXPECT_EQ(visit().lesson()->name, "proxies");
   EXPECT_EQ(visit().step(), 1u);
-  EXPECT_FALSE(lessons().mayWrite(QString::fromStdString(visit().lesson()->scene)));
-  EXPECT_FALSE(lessons().mayWrite(QString::fromStdString(visit().lesson()->steps[3].scene)));
+  EXPECT_FALSE(window_->files().mayWrite(QString::fromStdString(visit().lesson()->scene)));
+  EXPECT_FALSE(window_->files().mayWrite(QString::fromStdString(visit().lesson()->steps[3].scene)));
 }
 
 TEST_F(LessonTest, AnUnknownLessonIsToldInOneLine) {

@@ -21,28 +21,30 @@
 #include "app/gui/explain/ray_panel.h"
 #include "app/gui/explain/schematic_inset.h"
 #include "app/gui/explain/surface_view_panel.h"
+#include "app/gui/view/picture_work.h"
+#include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
-DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document& document, QObject* parent)
-    : QObject(parent),
-      renderer_(renderer),
-      viewport_(viewport),
-      document_(document),
+DebugView::DebugView(Workspace& workspace)
+    : renderer_(workspace.renderer()),
+      viewport_(workspace.viewport()),
+      document_(workspace.document()),
       inspector_({[this] { return !paused_ && viewport_.readyToDraw() && !document_.scene().models.empty(); },
                   [this](const QPointF& position) { return hold(position); },
                   [this](const QPointF& position) { return explain(position); }}),
-      rays_(std::make_unique<RayRig>(renderer.renderer(),
+      rays_(std::make_unique<RayRig>(renderer_.renderer(),
                                      [this] {
                                        const int* size = viewport_.window3d()->GetSize();
                                        return PixelRays(seenFrom(), size[0], size[1]);
                                      })),
-      mirrors_(std::make_unique<MirrorLines>(renderer.renderer())),
-      truth_(new DiffuseTruth(renderer, this)),
+      mirrors_(std::make_unique<MirrorLines>(renderer_.renderer())),
+      truth_(new DiffuseTruth(renderer_, this)),
       panel_(new QWidget),
       tool_(new QPushButton(tr("Explain pixels"), panel_)),
       schematicShown_(new QCheckBox(tr("Plan and elevation in the picture"), panel_)),
@@ -52,7 +54,7 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
       card_(new ExplainCard([this](const std::string& probe) { return renderer_.explainedMaps(probe); })),
       explainPanel_(new QWidget),
       schematic_(new SchematicInset(SchematicInset::InLayout())),
-      inset_(new SchematicInset(&viewport)) {
+      inset_(new SchematicInset(&viewport_)) {
   buildPanel();
   auto* column = new QVBoxLayout(explainPanel_);
   column->setContentsMargins(0, 0, 0, 0);
@@ -61,9 +63,45 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
   connectParts();
   rays_->setSettings(rayPanel_->settings());
   showNothing();
+  observe(workspace);
 }
 
 DebugView::~DebugView() = default;
+
+void DebugView::observe(Workspace& workspace) {
+  workspace.listenTo(this);
+  workspace.setBeforePicture([this] { update(); });
+  workspace.changes().add("debug view", ChangeKinds::all(),
+                          [this](const Changes& changes) { documentChanged(changes); });
+  connect(&workspace, &Workspace::posesChanged, this, [this, &workspace] { setModels(workspace.models()); });
+  connect(this, &DebugView::pictureChanged, &workspace, &Workspace::requestPicture);
+  connect(&workspace.viewport(), &Viewport::cameraMoved, this, &DebugView::cameraMoved);
+  connect(&workspace.picture(), &PictureWork::cameraPlaced, this, &DebugView::cameraMoved);
+  connect(&workspace.scheduler(), &RenderScheduler::workEnded, this, &DebugView::workEnded);
+  connect(card_, &ExplainCard::mendRequested, this, [&workspace](const Mend& mend) {
+    workspace.editor().commit(QString::fromStdString(mend.words), [mend](Scene& scene) {
+      if (const auto index = findProbe(scene, mend.probe)) scene.probes[*index] = mend.after;
+    });
+  });
+
+  const Actions& actions = workspace.actions();
+  connect(actions.explain, &QAction::toggled, this, &DebugView::setTool);
+  connect(this, &DebugView::toolChanged, actions.explain, &QAction::setChecked);
+  // Pixels are explained of the document's scene.
+  connect(&workspace, &Workspace::documentSceneDrawn, this, [this](bool drawn) { setPaused(!drawn); });
+  connect(this, &DebugView::toolChanged, &workspace, [&workspace](bool on) {
+    if (on) emit workspace.documentSceneWanted();
+  });
+  connect(actions.copyText, &QAction::triggered, this, &DebugView::copyText);
+  connect(actions.copyJson, &QAction::triggered, this, &DebugView::copyJson);
+  connect(actions.saveRays, &QAction::triggered, this, &DebugView::saveRays);
+  connect(surfacePanel_, &SurfaceViewPanel::changed, &workspace, &Workspace::lookChanged);
+  const QActionGroup* views = actions.surfaceViews;
+  connect(views, &QActionGroup::triggered, surfacePanel_,
+          [this](const QAction* view) { surfacePanel_->choose(view->data().toInt()); });
+  connect(surfacePanel_, &SurfaceViewPanel::changed, views,
+          [views](const SurfaceViewSettings& settings) { showChoice(views, settings.view); });
+}
 
 void DebugView::releaseGraphics() {
   rays_.reset();
@@ -115,7 +153,6 @@ void DebugView::connectParts() {
     rays_->addClick(e);
     raysChanged();
   });
-  connect(card_, &ExplainCard::mendRequested, this, &DebugView::mendRequested);
   connect(card_, &ExplainCard::unpinRequested, &inspector_, &PixelInspector::unpin);
   connect(tool_, &QPushButton::clicked, this, &DebugView::setTool);
   connect(schematicShown_, &QCheckBox::toggled, this, [this](bool shown) {

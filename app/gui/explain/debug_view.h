@@ -1,5 +1,5 @@
 // The debug view's parts put together: the tool that explains pixels, the card, the schematic, the rays, the colours of
-// surfaces. Called by the main window, which tells it what changed and draws; off, it asks the renderer for nothing.
+// surfaces. Off, it asks the renderer for nothing.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -30,13 +30,14 @@ class SceneRenderer;
 class SchematicInset;
 class SurfaceViewPanel;
 class Viewport;
+class Workspace;
 
 class DebugView : public QObject {
   Q_OBJECT
 
  public:
   /// The widgets belong to whatever they are put into; the viewport and the renderer must outlive this object.
-  DebugView(SceneRenderer& renderer, Viewport& viewport, const Document& document, QObject* parent = nullptr);
+  explicit DebugView(Workspace& workspace);
   ~DebugView() override;
 
   QWidget* panel() const { return panel_; }  ///< settings, for a dock
@@ -50,10 +51,7 @@ class DebugView : public QObject {
   const MirrorLines& mirrorLines() const { return *mirrors_; }
   const DiffuseTruth& diffuseTruth() const { return *truth_; }
 
-  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
-  void documentChanged(const Changes& changes);
   void cameraMoved();
-  void workEnded();  ///< captures are done: other maps may show
   /// Whatever is due before a picture is drawn.
   void update();
   /// Which rays are drawn, to be put back after others were.
@@ -82,11 +80,14 @@ class DebugView : public QObject {
  signals:
   void pictureChanged();
   void toolChanged(bool on);
-  void mendRequested(const boxprobe::Mend& mend);
   void message(const QString& line);
   void failed(const QString& line);
 
  private:
+  void observe(Workspace& workspace);
+  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
+  void documentChanged(const Changes& changes);
+  void workEnded();  ///< captures are done: other maps may show
   void buildPanel();
   void connectParts();
   void show(const Explanation& explanation);

@@ -8,6 +8,7 @@
 
 #include "app/gui/explain/surface_view_panel.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -39,22 +40,22 @@ bool sameView(const Camera& a, const Camera& b) {
 
 }  // namespace
 
-LessonStage::LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, ViewSwitches switches)
-    : renderer_(renderer),
-      viewport_(viewport),
+LessonStage::LessonStage(Workspace& workspace, DebugView& debugView)
+    : renderer_(workspace.renderer()),
+      viewport_(workspace.viewport()),
       debugView_(debugView),
-      switches_(std::move(switches)),
-      inset_(new PictureInset(&viewport, [this](const QPointF& place) { return debugView_.explain(place); })) {}
+      actions_(workspace.actions()),
+      inset_(new PictureInset(&viewport_, [this](const QPointF& place) { return debugView_.explain(place); })) {}
 
 void LessonStage::enter() {
-  own_ = Settings{renderer_.currentCamera(), debugView_.surfacePanel()->settings(), switches_.reflections(),
-                  switches_.boxes(), debugView_.drawnRays()};
+  own_ = Settings{renderer_.currentCamera(), debugView_.surfacePanel()->settings(), actions_.reflections->isChecked(),
+                  actions_.boxes->isChecked(), debugView_.drawnRays()};
 }
 
 void LessonStage::setUp(const LessonStep& step, const Camera& camera) {
   debugView_.unpin();
-  switches_.showReflections(step.reflections);
-  switches_.showBoxes(step.boxes);
+  actions_.reflections->setChecked(step.reflections);
+  actions_.boxes->setChecked(step.boxes);
   debugView_.surfacePanel()->choose(findSurfaceView(step.view).value_or(0));
   DebugView::Rays rays = own_ ? own_->rays : DebugView::Rays();
   rays.clicks.clear();
@@ -100,8 +101,8 @@ void LessonStage::leave() {
   fitted_.reset();
   if (!own_) return;
   debugView_.unpin();
-  switches_.showReflections(own_->reflections);
-  switches_.showBoxes(own_->boxes);
+  actions_.reflections->setChecked(own_->reflections);
+  actions_.boxes->setChecked(own_->boxes);
   debugView_.surfacePanel()->show(own_->view);
   debugView_.drawRays(own_->rays);
   renderer_.applyCamera(own_->camera);

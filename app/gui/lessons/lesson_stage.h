@@ -1,8 +1,7 @@
 // Sets the window up as a lesson's step asks - camera, view of the surfaces, reflections, boxes, rays - and puts back
-// what the learner had before the lessons. Called by the lesson view; knows no document.
+// what the learner had before the lessons.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,18 +12,14 @@
 
 namespace boxprobe {
 
+class Actions;
 class SceneRenderer;
 class Viewport;
-
-/// The window's switches that a step sets and that are put back after the lessons.
-struct ViewSwitches {
-  std::function<bool()> reflections, boxes;  ///< whether they are shown
-  std::function<void(bool)> showReflections, showBoxes;
-};
+class Workspace;
 
 class LessonStage {
  public:
-  LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, ViewSwitches switches);
+  LessonStage(Workspace& workspace, DebugView& debugView);
 
   /// Remembers what the learner has.
   void enter();
@@ -52,7 +47,7 @@ class LessonStage {
   SceneRenderer& renderer_;
   Viewport& viewport_;
   DebugView& debugView_;
-  ViewSwitches switches_;
+  const Actions& actions_;
   std::optional<Settings> own_;
   Camera camera_;                 ///< of the step
   std::optional<Camera> fitted_;  ///< as it was fitted to the window last

@@ -8,7 +8,6 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
-#include <QFileInfo>
 #include <QLineEdit>
 #include <QTabBar>
 #include <QTextEdit>
@@ -20,7 +19,9 @@
 #include "app/gui/lessons/lesson_panel.h"
 #include "app/gui/lessons/lesson_progress.h"
 #include "app/gui/lessons/lesson_step_page.h"
+#include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/lessons/lesson_language.h"
 #include "app/lessons/lesson_measure.h"
@@ -42,41 +43,53 @@ bool takesArrows(const QWidget* widget) {
 
 }  // namespace
 
-LessonView::LessonView(const Parts& parts, std::string folder, QObject* parent)
-    : QObject(parent),
-      parts_(parts),
+LessonView::LessonView(Workspace& workspace, DebugView& debugView, std::string folder, QWidget* window)
+    : QObject(window),
+      workspace_(workspace),
+      window_(window),
       folder_(std::move(folder)),
       panel_(new LessonPanel),
-      stage_(parts.renderer, parts.viewport, parts.debugView, parts.switches),
-      held_(parts.viewport),
-      published_(parts.renderer, parts.viewport, parts.document),
-      visit_(parts.document, parts.editor,
-             {parts.shownModels,
-              [this](const Scene& scene) {
-                return models_.load(scene, parts_.document.scene(), parts_.shownModels(), parts_.window);
-              },
-              parts.showModels, [this] { held_.hold(); }, [this] { stage_.enter(); },
-              [this] {
-                stage_.leave();
-                models_.forget();
-                check_.setTask({});
-                published_.show({});
-                panel_->showList();
-                panel_->list()->setLessonOpen(false);
-                showProgress();
-                updateKeys();
-                emit openChanged(false);
-                emit pictureChanged();
-              },
-              [this] { stepShown(); }}),
+      stage_(workspace, debugView),
+      held_(workspace.viewport()),
+      published_(workspace),
+      visit_(workspace, {[this](const Scene& scene) {
+                           return models_.load(scene, workspace_.document().scene(), workspace_.models(), window_);
+                         },
+                         [this] { held_.hold(); }, [this] { stage_.enter(); },
+                         [this] {
+                           stage_.leave();
+                           models_.forget();
+                           check_.setTask({});
+                           published_.show({});
+                           panel_->showList();
+                           panel_->list()->setLessonOpen(false);
+                           showProgress();
+                           updateKeys();
+                           emit workspace_.lessonShown(false);
+                           workspace_.requestPicture();
+                         },
+                         [this] { stepShown(); }}),
       check_({[this] {
-                return parts_.viewport.readyToDraw() && parts_.renderer.error().empty() &&
-                       !parts_.renderer.workPending();
+                return workspace_.viewport().readyToDraw() && workspace_.renderer().error().empty() &&
+                       !workspace_.renderer().workPending();
               },
-              [this] { return parts_.document.previewing(); },
+              [this] { return workspace_.document().previewing(); },
               [this](const LessonMeasure& wanted) { return measure(wanted); }}) {
   connectPanel();
   connectKeys();
+  observe();
+}
+
+void LessonView::observe() {
+  workspace_.listenTo(this);
+  connect(&workspace_, &Workspace::opening, this, [this] { visit_.drop(); });
+  connect(&workspace_, &Workspace::ownSceneWanted, this, &LessonView::leave);
+  workspace_.changes().add("lessons", ChangeKinds::all(), [this](const Changes&) { documentChanged(); });
+  connect(&workspace_.editor(), &Editor::settled, this, &LessonView::documentChanged);
+  connect(&workspace_.scheduler(), &RenderScheduler::rendered, this, &LessonView::pictureDrawn);
+  connect(&workspace_.scheduler(), &RenderScheduler::workEnded, this, &LessonView::workEnded);
+  connect(&workspace_.viewport(), &Viewport::cameraMoved, this, &LessonView::cameraMoved);
+  connect(&workspace_.viewport(), &Viewport::becameReady, this, &LessonView::shapeChanged);
 }
 
 LessonView::~LessonView() = default;
@@ -135,7 +148,7 @@ void LessonView::connectPanel() {
 
 void LessonView::connectKeys() {
   const auto add = [this](int key, void (LessonView::*turn)()) {
-    auto* shortcut = new QShortcut(QKeySequence(key), parts_.window);
+    auto* shortcut = new QShortcut(QKeySequence(key), window_);
     shortcut->setEnabled(false);
     connect(shortcut, &QShortcut::activated, this, turn);
     keys_.push_back(shortcut);
@@ -175,7 +188,7 @@ void LessonView::readLessons() {
 }
 
 void LessonView::leave() {
-  parts_.cancelDrag();
+  workspace_.prepareForAnother();
   visit_.leave();
 }
 
@@ -191,7 +204,7 @@ void LessonView::showList() {
 
 void LessonView::open(const QString& name, std::optional<std::size_t> step) {
   if (!read_) readLessons();
-  parts_.cancelDrag();
+  workspace_.prepareForAnother();
   guarded([&] {
     const std::string id = name.toStdString();
     const Lesson& lesson = findLesson(list_, id);
@@ -222,10 +235,10 @@ void LessonView::stepShown() {
   published_.show(visit_.shownStep().published);
   updateTry();
   // Hidden buttons hand the focus on to whatever comes next, which looks chosen.
-  if (panel_->isAncestorOf(QApplication::focusWidget())) parts_.viewport.setFocus();
+  if (panel_->isAncestorOf(QApplication::focusWidget())) workspace_.viewport().setFocus();
   updateKeys();
-  emit openChanged(true);
-  emit pictureChanged();
+  emit workspace_.lessonShown(true);
+  workspace_.requestPicture();
 }
 
 void LessonView::keepSolved(const QString& what) {
@@ -254,13 +267,13 @@ void LessonView::measured() {
 
 void LessonView::next() {
   if (!visit_.lesson()) return;
-  parts_.cancelDrag();
+  workspace_.prepareForAnother();
   if (visit_.step() + 1 == visit_.lesson()->steps.size()) return finish();
   guarded([this] { visit_.goTo(visit_.step() + 1); });
 }
 
 void LessonView::back() {
-  parts_.cancelDrag();
+  workspace_.prepareForAnother();
   if (visit_.lesson() && visit_.step() > 0) guarded([this] { visit_.goTo(visit_.step() - 1); });
 }
 
@@ -283,32 +296,17 @@ void LessonView::updateTry() {
   if (visit_.lesson()) panel_->step()->showTry(visit_.showsLesson(), visit_.hasTry());
 }
 
-QString LessonView::sceneName() const {
-  return visit_.lesson() ? tr("Lesson: %1").arg(QString::fromStdString(visit_.lesson()->title)) : QString();
-}
-
-bool LessonView::mayWrite(const QString& path) const {
-  if (!visit_.lesson()) return true;
-  const QString wanted = QFileInfo(path).canonicalFilePath();
-  const auto isIt = [&](const std::string& scene) {
-    return !wanted.isEmpty() && QFileInfo(QString::fromStdString(scene)).canonicalFilePath() == wanted;
-  };
-  const Lesson& lesson = *visit_.lesson();
-  return !isIt(lesson.scene) && std::none_of(lesson.steps.begin(), lesson.steps.end(),
-                                             [&](const LessonStep& step) { return isIt(step.scene); });
-}
-
 void LessonView::documentChanged() {
   if (!visit_.lesson()) return;
-  if (!parts_.document.previewing()) updateTry();
+  if (!workspace_.document().previewing()) updateTry();
   check_.invalidate();
   published_.invalidate();
   stage_.invalidate();
 }
 
 void LessonView::pictureDrawn() {
-  if (held_.held() && !parts_.renderer.workPending()) held_.release();
-  if (visit_.lesson() && stage_.pictureDrawn()) emit pictureChanged();
+  if (held_.held() && !workspace_.renderer().workPending()) held_.release();
+  if (visit_.lesson() && stage_.pictureDrawn()) workspace_.requestPicture();
 }
 
 void LessonView::workEnded() {
@@ -332,13 +330,12 @@ void LessonView::cameraMoved() {
 }
 
 std::optional<double> LessonView::measure(const LessonMeasure& wanted) {
-  parts_.viewport.window3d()->MakeCurrent();
-  const auto models = parts_.shownModels();
-  const Scene& scene = parts_.document.scene();
-  const ShownScene shown{parts_.renderer, scene, models,
+  workspace_.viewport().window3d()->MakeCurrent();
+  const Scene& scene = workspace_.document().scene();
+  const ShownScene shown{workspace_.renderer(), scene, workspace_.models(),
                          lessonCamera(*visit_.lesson(), visit_.step(), visit_.stepScene())};
   const auto value = measureShown(shown, wanted);
-  emit pictureChanged();
+  workspace_.requestPicture();
   return value;
 }
 

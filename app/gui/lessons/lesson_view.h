@@ -1,10 +1,9 @@
 // The lessons' parts put together: the panel, the visit to the lesson that is open, the stage that is set for its
-// steps, the check of its tasks. Called by the main window, which tells it what changed and was drawn.
+// steps, the check of its tasks.
 #pragma once
 
 #include <QObject>
 #include <QShortcut>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,21 +26,8 @@ class LessonView : public QObject {
   Q_OBJECT
 
  public:
-  struct Parts {
-    QWidget* window;
-    Document& document;
-    Editor& editor;
-    SceneRenderer& renderer;
-    Viewport& viewport;
-    DebugView& debugView;
-    ViewSwitches switches;
-    std::function<void()> cancelDrag;
-    std::function<LessonModels::List()> shownModels;
-    std::function<void(const LessonModels::List&, const std::string& path)> showModels;
-  };
-
   /// `folder`: where the lessons are.
-  LessonView(const Parts& parts, std::string folder, QObject* parent);
+  LessonView(Workspace& workspace, DebugView& debugView, std::string folder, QWidget* window);
   ~LessonView() override;
 
   LessonPanel* panel() const { return panel_; }
@@ -55,34 +41,26 @@ class LessonView : public QObject {
   void open(const QString& name, std::optional<std::size_t> step = {});
   bool lessonOpen() const { return visit_.lesson() != nullptr; }
   void leave();
-  /// Another scene was opened over the lesson's.
-  void drop() { visit_.drop(); }
   void next();
   void back();
 
-  /// Name of the scene on show, for the title; empty: not a lesson's.
-  QString sceneName() const;
-  /// False for the file that the open lesson stands on.
-  bool mayWrite(const QString& path) const;
   const LessonVisit& visit() const { return visit_; }
   const LessonCheck& check() const { return check_; }
   const PublishedOverlay& published() const { return published_; }
 
+ signals:
+  void shown();  ///< the panel has something to look at
+  void message(const QString& line);
+  void failed(const QString& line);
+
+ private:
+  void observe();
   /// The scene changed, or an edit came to rest.
   void documentChanged();
   void pictureDrawn();
   void workEnded();
   void shapeChanged();
   void cameraMoved();
-
- signals:
-  void shown();  ///< the panel has something to look at
-  void openChanged(bool open);
-  void pictureChanged();
-  void message(const QString& line);
-  void failed(const QString& line);
-
- private:
   void connectPanel();
   void connectKeys();
   void readLessons();
@@ -98,7 +76,8 @@ class LessonView : public QObject {
   void updateKeys();
   std::optional<double> measure(const LessonMeasure& measure);
 
-  Parts parts_;
+  Workspace& workspace_;
+  QWidget* window_;
   std::string folder_, language_;
   LessonList list_;
   bool read_ = false;

@@ -7,8 +7,13 @@
 
 namespace boxprobe {
 
-LessonVisit::LessonVisit(Document& document, Editor& editor, Hooks hooks, QObject* parent)
-    : QObject(parent), document_(document), editor_(editor), hooks_(std::move(hooks)) {}
+LessonVisit::LessonVisit(Workspace& workspace, Hooks hooks)
+    : workspace_(workspace), document_(workspace.document()), editor_(workspace.editor()), hooks_(std::move(hooks)) {}
+
+void LessonVisit::setLesson(const std::optional<Lesson>& lesson) {
+  lesson_ = lesson;
+  workspace_.setLesson(this->lesson());
+}
 
 void LessonVisit::open(const Lesson& lesson, std::size_t step) {
   const Lesson copy = lesson;  // it may be the one that is open
@@ -34,15 +39,15 @@ void LessonVisit::show(const Lesson& lesson, std::size_t step) {
   keepTry();
   const bool entering = !own_;
   if (entering) {
-    own_ = Own{document_.state(), hooks_.shownModels()};
+    own_ = Own{document_.state(), workspace_.models()};
     hooks_.entered();
   }
-  lesson_ = lesson;
+  setLesson(lesson);
   step_ = step;
   stepScene_ = std::move(scene);
   // On entering, too, where the learner's own scene has the same models: its baked files are not the lesson's.
-  const bool others = entering || models != hooks_.shownModels();
-  if (others) hooks_.showModels(models, "");
+  const bool others = entering || models != workspace_.models();
+  if (others) workspace_.showModels(models, "");
   document_.restore(std::move(state), others ? Changes::all() : Changes());
   hooks_.stepShown();
 }
@@ -51,11 +56,11 @@ void LessonVisit::leave() {
   if (!own_) return;
   editor_.finish();
   keepTry();
-  lesson_.reset();
+  setLesson({});
   stepScene_.reset();
   const Own own = std::move(*own_);
   own_.reset();
-  hooks_.showModels(own.models, ownPathOf(own.state.path(), own.state.scene()));
+  workspace_.showModels(own.models, ownPathOf(own.state.path(), own.state.scene()));
   document_.restore(own.state, Changes::all());
   hooks_.left();
 }
@@ -64,7 +69,7 @@ void LessonVisit::drop() {
   if (!own_) return;
   editor_.cancel();
   keepTry();
-  lesson_.reset();
+  setLesson({});
   stepScene_.reset();
   own_.reset();
   hooks_.left();

@@ -1,6 +1,5 @@
 // A visit to a lesson in the window's one document: the learner's own scene is taken out whole and put back at the end,
-// and what the learner does to a step's scene is a try of its own, kept beside the lesson's. Called by the lesson view;
-// knows no widget and no renderer.
+// and what the learner does to a step's scene is a try of its own, kept beside the lesson's.
 #pragma once
 
 #include <QObject>
@@ -12,10 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/gui/edit/editor.h"
-#include "filters/core/scene/document.h"
+#include "app/gui/view/workspace.h"
 #include "filters/core/scene/lesson.h"
-#include "filters/core/scene/model.h"
 
 namespace boxprobe {
 
@@ -23,20 +20,17 @@ class LessonVisit : public QObject {
   Q_OBJECT
 
  public:
-  using Models = std::vector<std::shared_ptr<const Model>>;
+  using Models = Workspace::Models;
   struct Hooks {
-    std::function<Models()> shownModels;
     /// The models of a scene, read where they are not at hand. Throws InputError, LoadCancelled.
     std::function<Models(const Scene&)> loadModels;
-    /// Puts models on show; `path`: what the scene goes by (ownPathOf()), empty for a lesson's.
-    std::function<void(const Models&, const std::string& path)> showModels;
     std::function<void()> beforeStep;  ///< while what was shown before still is
     std::function<void()> entered;     ///< the learner's own scene has gone; the first step's is not there yet
     std::function<void()> left;        ///< the learner's own scene is back
     std::function<void()> stepShown;   ///< lesson(), step() and the document are those of the step
   };
 
-  LessonVisit(Document& document, Editor& editor, Hooks hooks, QObject* parent = nullptr);
+  LessonVisit(Workspace& workspace, Hooks hooks);
 
   /// Throws InputError, and leaves everything as it was, if the step's scene cannot be shown.
   void open(const Lesson& lesson, std::size_t step);
@@ -64,6 +58,7 @@ class LessonVisit : public QObject {
   void apply(const std::string& label, const std::vector<std::string>& assignments);
 
  private:
+  void setLesson(const std::optional<Lesson>& lesson);
   void keepTry();
   void commitLessonScene(const QString& label);
   void show(const Lesson& lesson, std::size_t step);
@@ -75,6 +70,7 @@ class LessonVisit : public QObject {
     Models models;
   };
 
+  Workspace& workspace_;
   Document& document_;
   Editor& editor_;
   Hooks hooks_;

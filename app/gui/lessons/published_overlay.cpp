@@ -11,6 +11,7 @@
 #include <exception>
 
 #include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/lessons/published_picture.h"
 #include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
@@ -25,14 +26,12 @@ constexpr int kRestMilliseconds = 300;  ///< without a change, before it is draw
 
 }  // namespace
 
-PublishedOverlay::PublishedOverlay(SceneRenderer& renderer, Viewport& viewport, const Document& document,
-                                   QObject* parent)
-    : QObject(parent),
-      renderer_(renderer),
-      viewport_(viewport),
-      document_(document),
-      picture_(new QLabel(&viewport)),
-      note_(new QLabel(&viewport)) {
+PublishedOverlay::PublishedOverlay(Workspace& workspace)
+    : renderer_(workspace.renderer()),
+      viewport_(workspace.viewport()),
+      document_(workspace.document()),
+      picture_(new QLabel(&viewport_)),
+      note_(new QLabel(&viewport_)) {
   picture_->setObjectName("publishedPicture");
   picture_->setScaledContents(true);
   note_->setStyleSheet(

@@ -1,5 +1,5 @@
 // Over the picture, the same as a published form of the projection has it: drawn on the processor a few rows a turn of
-// the event loop, and again whenever the camera or the scene has come to rest. Called by the lesson view.
+// the event loop, and again whenever the camera or the scene has come to rest.
 #pragma once
 
 #include <QObject>
@@ -16,12 +16,13 @@ namespace boxprobe {
 class PublishedPicture;
 class SceneRenderer;
 class Viewport;
+class Workspace;
 
 class PublishedOverlay : public QObject {
   Q_OBJECT
 
  public:
-  PublishedOverlay(SceneRenderer& renderer, Viewport& viewport, const Document& document, QObject* parent = nullptr);
+  explicit PublishedOverlay(Workspace& workspace);
   ~PublishedOverlay() override;
 
   /// A form as PublishedPicture names it; empty: none.

@@ -14,20 +14,22 @@
 #include <exception>
 
 #include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/session/opened_glb.h"
 #include "app/session/program_name.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"
+#include "filters/io/engines/glb_probes.h"
 
 namespace boxprobe {
 
-BakePanel::BakePanel(Editor& editor, SceneRenderer& renderer, RenderScheduler& scheduler, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
-      renderer_(renderer),
-      scheduler_(scheduler),
+BakePanel::BakePanel(Workspace& workspace)
+    : workspace_(workspace),
+      editor_(workspace.editor()),
+      renderer_(workspace.renderer()),
+      scheduler_(workspace.scheduler()),
       mark_(new QLabel(this)),
       state_(new QLabel(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -59,6 +61,18 @@ BakePanel::BakePanel(Editor& editor, SceneRenderer& renderer, RenderScheduler& s
   connect(&scheduler_, &RenderScheduler::workProgressed, this, &BakePanel::update);
   connect(&scheduler_, &RenderScheduler::workEnded, this, &BakePanel::update);
   connect(&scheduler_, &RenderScheduler::workEnded, this, &BakePanel::tellStale);
+  workspace.listenTo(this);
+  connect(&workspace, &Workspace::modelsReplaced, this, &BakePanel::useFilesBeside);
+  connect(workspace.actions().bake, &QAction::triggered, this, &BakePanel::bakeSelected);
+  connect(workspace.actions().bakeAll, &QAction::triggered, this, &BakePanel::bakeAll);
+  connect(workspace.actions().saveBaked, &QAction::triggered, this, &BakePanel::saveBaked);
+  // Whatever makes a capture stale, or an object use a probe.
+  using C = Changes;
+  workspace.changes().add("bake panel",
+                          {&C::probeShape, &C::probeTechnique, &C::probeCapture, &C::probeList, &C::selection,
+                           &C::materials, &C::objects, &C::lights, &C::sky, &C::models},
+                          [this](const C&) { update(); });
+  connect(&editor_, &Editor::selectionChanged, this, &BakePanel::update);
 }
 
 QToolButton* BakePanel::addButton(const QString& text, const char* name, const QString& toolTip,
@@ -101,10 +115,13 @@ void BakePanel::update() {
   }
 }
 
-void BakePanel::sceneOpened(const std::string& scenePath) {
+void BakePanel::useFilesBeside() {
+  const std::string& path = workspace_.shownPath();
+  // A .glb with probes has its baked files in itself; beside another model there are none.
+  const bool bare = isModelPath(path) && !holdsProbes(path);
   std::string folder;
   try {
-    if (!scenePath.empty()) folder = bakedFolderOf(scenePath);
+    if (!path.empty() && !bare) folder = bakedFolderOf(path);
   } catch (const std::exception& error) {
     emit failed(QString::fromStdString(messageOf(error)));
   }
@@ -133,7 +150,7 @@ void BakePanel::tellStale() {
 
 void BakePanel::bake(const std::vector<std::string>& names) {
   editor_.finish();
-  emit ownSceneWanted();
+  emit workspace_.documentSceneWanted();
   checkFiles_ = false;  // what is captured from now on was asked for
   renderer_.requestBake(names);
   scheduler_.sceneChanged();
@@ -191,7 +208,7 @@ void BakePanel::saveBaked() {
 
 void BakePanel::saveNext() {
   try {
-    emit ownSceneWanted();
+    emit workspace_.documentSceneWanted();
     const std::string name = toSave_.back();
     // A level at a time, so that the window goes on answering.
     if (renderer_.filterMissingLevel(name)) {

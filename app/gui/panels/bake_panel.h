@@ -1,5 +1,5 @@
 // Baking from the window: how far the selected probe's maps are, buttons to make them again, to stop, and to keep them
-// as files. Called by the main window; captures nothing itself: the work is the scheduler's.
+// as files.
 #pragma once
 
 #include <QWidget>
@@ -15,18 +15,13 @@ class QToolButton;
 namespace boxprobe {
 
 class RenderScheduler;
+class Workspace;
 
 class BakePanel : public QWidget {
   Q_OBJECT
 
  public:
-  BakePanel(Editor& editor, SceneRenderer& renderer, RenderScheduler& scheduler, QWidget* parent = nullptr);
-
-  /// The document changed or work went on. Cheap where nothing else to show came of it.
-  void update();
-  /// Another scene was opened: files baked beside it are used where they hold; once those that do not hold are captured
-  /// again, the user is told.
-  void sceneOpened(const std::string& scenePath);
+  explicit BakePanel(Workspace& workspace);
 
   void bakeSelected();
   void bakeAll();
@@ -36,12 +31,15 @@ class BakePanel : public QWidget {
  signals:
   /// One a probe, in the scene's order.
   void statesChanged(const std::vector<boxprobe::BakeStateLook>& looks);
-  /// The renderer must draw the document's scene when this returns.
-  void ownSceneWanted();
   void message(const QString& text);
   void failed(const QString& line);
 
  private:
+  /// The document changed or work went on. Cheap where nothing else to show came of it.
+  void update();
+  /// Models of another scene are shown: files baked beside it are used where they hold; once those that do not hold are
+  /// captured again, the user is told.
+  void useFilesBeside();
   QToolButton* addButton(const QString& text, const char* name, const QString& toolTip, void (BakePanel::*action)());
   void bake(const std::vector<std::string>& names);
   QString chooseFolder();
@@ -49,6 +47,7 @@ class BakePanel : public QWidget {
   void tellStale();
   void stop();
 
+  Workspace& workspace_;
   Editor& editor_;
   SceneRenderer& renderer_;
   RenderScheduler& scheduler_;

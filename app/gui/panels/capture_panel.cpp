@@ -13,6 +13,7 @@
 #include "app/gui/edit/selected_probes.h"
 #include "app/gui/panels/hides_list.h"
 #include "app/gui/panels/image_fields.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
@@ -34,7 +35,7 @@ Clear clearOf(int index) {
 
 }  // namespace
 
-CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
+CapturePanel::CapturePanel(Workspace& workspace) : editor_(workspace.editor()) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   form_ = addSection(this, tr("Capture"));
@@ -54,6 +55,17 @@ CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), e
                                                     {clear_, "clear"},
                                                     {hides_, "hides"}};
   for (const auto& [widget, name] : names) widget->setObjectName(name);
+  connect(&workspace, &Workspace::modelsReplaced, this, [this, &workspace] {
+    std::vector<std::string> nodes;
+    for (const auto& model : workspace.models()) {
+      for (const Instance& instance : model->instances) nodes.push_back(instance.node);
+    }
+    hides_->setNodes(nodes);
+  });
+  using C = Changes;
+  workspace.changes().add("capture panel", {&C::probeCapture, &C::probeList, &C::selection},
+                          [this](const C&) { update(); });
+  connect(&workspace.editor(), &Editor::selectionChanged, this, &CapturePanel::update);
   update();
 }
 
@@ -150,14 +162,6 @@ void CapturePanel::chooseMode(int mode) {
 void CapturePanel::showRow(QWidget* field, bool shown) {
   field->setVisible(shown);
   form_->labelForField(field)->setVisible(shown);
-}
-
-void CapturePanel::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
-  std::vector<std::string> nodes;
-  for (const auto& model : models) {
-    for (const Instance& instance : model->instances) nodes.push_back(instance.node);
-  }
-  hides_->setNodes(nodes);
 }
 
 void CapturePanel::update() {

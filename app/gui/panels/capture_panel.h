@@ -1,6 +1,5 @@
 // How the selected probe is captured and filtered: mode, image, size, samples, bounces, depth range, background, hidden
-// objects. Every field of the scene file that makes a capture. Called by the main window; knows neither the picture nor
-// the work that an edit causes.
+// objects. Every field of the scene file that makes a capture.
 #pragma once
 
 #include <QWidget>
@@ -21,18 +20,16 @@ class HidesList;
 class ImageFields;
 class ValueField;
 class VectorRow;
+class Workspace;
 
 class CapturePanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CapturePanel(Editor& editor, QWidget* parent = nullptr);
-
-  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
-  /// The document changed.
-  void update();
+  explicit CapturePanel(Workspace& workspace);
 
  private:
+  void update();
   void buildMode(QFormLayout* form);
   void buildSampling(QFormLayout* form);
   void buildView(QFormLayout* form);

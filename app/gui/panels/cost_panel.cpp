@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "app/gui/edit/probe_fields.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/probe_geometry.h"
@@ -80,9 +81,8 @@ class Row : public QTreeWidgetItem {
 
 }  // namespace
 
-CostPanel::CostPanel(Editor& editor, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
+CostPanel::CostPanel(Workspace& workspace)
+    : editor_(workspace.editor()),
       program_(QCoreApplication::applicationFilePath()),
       chart_(new QLabel(this)),
       state_(helpLabel(this)),
@@ -144,6 +144,11 @@ CostPanel::CostPanel(Editor& editor, QWidget* parent)
     editor_.commitProbe(probeEditLabel(editor_, tr("technique")),
                         [id = shortTechniqueId(*technique)](Probe& probe) { probe.technique = id; });
   });
+  workspace.listenTo(this);
+  connect(&workspace, &Workspace::modelsReplaced, this, [this] { another_ = true; });
+  using C = Changes;
+  workspace.changes().add("cost panel", {&C::probeTechnique, &C::probeList, &C::selection, &C::file, &C::models},
+                          [this](const C&) { update(); });
   load();
 }
 

@@ -1,7 +1,6 @@
 // What each technique costs and how wrong it is in the open scene: the chart that `boxprobe bench` draws, with the
 // selected probe's technique ringed, and the numbers behind it; a technique is chosen by double-clicking its row. The
-// measuring itself is a process of its own, so the window stays live and the times are not its times. Called by the
-// main window; measures nothing.
+// measuring itself is a process of its own, so the window stays live and the times are not its times.
 #pragma once
 
 #include <QProcess>
@@ -22,19 +21,15 @@ class QTreeWidget;
 
 namespace boxprobe {
 
+class Workspace;
+
 class CostPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CostPanel(Editor& editor, QWidget* parent = nullptr);
+  explicit CostPanel(Workspace& workspace);
   ~CostPanel() override;
 
-  /// The document changed. Another scene was opened: what an earlier benchmark left beside it is shown, else the table
-  /// of the example scene that comes with the program, marked as such. Saved under another name it is the same scene,
-  /// and what was measured stays.
-  void update();
-  /// The next change of the document is another scene.
-  void sceneReplaced() { another_ = true; }
   /// What measures: this program itself, unless a test says otherwise.
   void setProgram(const QString& path) { program_ = path; }
   /// Draws only while it can be seen.
@@ -55,6 +50,10 @@ class CostPanel : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  /// The document changed. Another scene was opened: what an earlier benchmark left beside it is shown, else the table
+  /// of the example scene that comes with the program, marked as such. Saved under another name it is the same scene,
+  /// and what was measured stays.
+  void update();
   void useScene(const std::string& scenePath);
   QString sceneToMeasure();
   void enableButtons();

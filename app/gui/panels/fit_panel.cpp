@@ -13,8 +13,15 @@
 
 #include "app/gui/edit/gauge_rows.h"
 #include "app/gui/edit/probe_fields.h"
+#include "app/gui/handles/face_tags.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/view_commands.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "filters/fit/fit_probe.h"
+#include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
 namespace boxprobe {
 
@@ -40,10 +47,9 @@ QString errorsText(const BoxFit& fit, const std::optional<FitLightErrors>& light
 
 }  // namespace
 
-FitPanel::FitPanel(Editor& editor, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
-      gauge_(new ProbeGauge(editor, this)),
+FitPanel::FitPanel(Workspace& workspace)
+    : editor_(workspace.editor()),
+      gauge_(new ProbeGauge(workspace.editor(), this)),
       rows_(new GaugeRows(*gauge_, this)),
       fit_(new QPushButton(this)),
       apply_(new QPushButton(tr("Apply"), this)),
@@ -96,12 +102,47 @@ FitPanel::FitPanel(Editor& editor, QWidget* parent)
     if (stopped) emit message(tr("The fit was stopped"));
     refresh();
   });
+  observe(workspace);
   refresh();
 }
 
-void FitPanel::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
-  models_ = models;
-  gauge_->setModels(models);
+void FitPanel::observe(Workspace& workspace) {
+  workspace.listenTo(this);
+  connect(workspace.actions().fit, &QAction::triggered, this, &FitPanel::fit);
+  connect(&workspace, &Workspace::modelsReplaced, this, [this, &workspace] {
+    models_ = workspace.models();
+    gauge_->setModels(models_);
+  });
+  // A lesson's room is wrong on purpose, and the lesson says how.
+  connect(&workspace, &Workspace::lessonShown, this, [this, &workspace] {
+    gauge_->setQuiet(workspace.lesson() != nullptr);
+    rows_->setVisible(workspace.lesson() == nullptr);
+  });
+  using C = Changes;
+  workspace.changes().add("fit panel", selectedProbeKinds(), [this](const C&) { update(); });
+  workspace.changes().add("live error",
+                          {&C::probeShape, &C::probeCapture, &C::probeList, &C::selection, &C::materials, &C::objects,
+                           &C::models, &C::cameras},
+                          [this](const C&) { gauge_->update(); });
+
+  auto* tags = new FaceTags(*gauge_, editor_,
+                            {[&workspace] { return workspace.viewport().view(); },
+                             [&workspace] {
+                               return workspace.shownHandles().GetVisibility() != 0 &&
+                                      workspace.handles().mode() == HandleMode::Box;
+                             }},
+                            &workspace.viewport());
+  connect(&workspace.scheduler(), &RenderScheduler::rendered, tags, &FaceTags::follow);
+  connect(&workspace, &Workspace::posesChanged, tags, [tags] { tags->showSpot({}); });
+  connect(rows_, &GaugeRows::spotWanted, tags, [&workspace, tags](const WorstSpot& spot) {
+    workspace.views().lookAtSpot(spot.positionWorld, spot.eyeWorld);
+    tags->showSpot(spot);
+  });
+  connect(rows_, &GaugeRows::comeBackWanted, tags, [&workspace, tags] {
+    workspace.views().comeBack();
+    tags->showSpot({});
+  });
+  connect(&workspace.views(), &ViewCommands::canComeBack, rows_, &GaugeRows::setCanComeBack);
 }
 
 void FitPanel::fit() {
@@ -187,11 +228,6 @@ void FitPanel::discard() {
   remarks_->clear();
   emit ghostChanged({});
   refresh();
-}
-
-void FitPanel::setQuiet(bool quiet) {
-  gauge_->setQuiet(quiet);
-  rows_->setVisible(!quiet);
 }
 
 void FitPanel::update() {

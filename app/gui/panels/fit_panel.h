@@ -1,6 +1,6 @@
 // Fits the selected probe's box to what it sees, in a thread of its own, and lets its user review the result before it
 // counts: both errors, the gain of each face, the fitted box drawn beside the old one. Above it the live error of the
-// box as it stands. Called by the docks; the mathematics is filters/fit's.
+// box as it stands, which is written beside the handles, too.
 #pragma once
 
 #include <QWidget>
@@ -24,23 +24,16 @@ namespace boxprobe {
 
 class GaugeRows;
 class ProbeGauge;
+class Workspace;
 
 class FitPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FitPanel(Editor& editor, QWidget* parent = nullptr);
+  explicit FitPanel(Workspace& workspace);
 
-  /// In the order of scene.models.
-  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
-  /// The document changed: a result for what is no longer so is dropped.
-  void update();
-
-  /// Quiet: no error is measured or shown, of a scene that is wrong on purpose.
-  void setQuiet(bool quiet);
   /// The error of the probe as it stands.
   ProbeGauge& gauge() { return *gauge_; }
-  GaugeRows& rows() { return *rows_; }
 
   /// Starts a fit of the selected probe, or stops the one under way.
   void fit();
@@ -56,6 +49,9 @@ class FitPanel : public QWidget {
   void failed(const QString& line);
 
  private:
+  void observe(Workspace& workspace);
+  /// The document changed: a result for what is no longer so is dropped.
+  void update();
   void review(const BoxFit& result, const std::optional<FitLightErrors>& light);
   Probe proposed() const;
   void refresh();

@@ -1,10 +1,13 @@
 // See frame_panel.h.
 #include "app/gui/panels/frame_panel.h"
 
+#include <vtkGenericOpenGLRenderWindow.h>
+
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
@@ -12,10 +15,16 @@
 #include <algorithm>
 
 #include "app/gui/edit/field_form.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 #include "app/gui/widgets/table_words.h"
+#include "filters/core/base/errors.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -43,10 +52,9 @@ void addRowTo(QTreeWidgetItem* parent, const QString& name, const QString& value
 
 }  // namespace
 
-FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
-      hooks_(std::move(hooks)),
+FramePanel::FramePanel(Workspace& workspace)
+    : workspace_(workspace),
+      editor_(workspace.editor()),
       summary_(helpLabel(this)),
       tree_(new QTreeWidget(this)),
       count_(new QPushButton(tr("Count lookups"), this)),
@@ -103,7 +111,15 @@ FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
 
   connect(count_, &QPushButton::clicked, this, &FramePanel::countLookups);
   connect(costs_, &QPushButton::clicked, this, &FramePanel::measureCosts);
-  connect(heatMap_, &QPushButton::toggled, this, &FramePanel::heatMapSwitched);
+  const auto views = workspace.actions().surfaceViews->actions();
+  QAction* lookups = views[*findSurfaceView("lookups")];
+  connect(heatMap_, &QPushButton::toggled, this,
+          [lookups, none = views.front()](bool on) { (on ? lookups : none)->trigger(); });
+  connect(lookups, &QAction::toggled, this, [this](bool shown) {
+    const QSignalBlocker quiet(heatMap_);
+    heatMap_->setChecked(shown);
+  });
+  connect(&workspace.scheduler(), &RenderScheduler::rendered, this, &FramePanel::update);
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, &FramePanel::selectionChanged);
   connect(mode_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     changeObject(tr("Set probes of %1").arg(text(object_)),
@@ -129,25 +145,45 @@ void FramePanel::setWatched(bool watched) {
   update();
 }
 
-void FramePanel::showHeatMap(bool shown) {
-  const QSignalBlocker quiet(heatMap_);
-  heatMap_->setChecked(shown);
-}
-
 void FramePanel::update() {
   if (!watched_) return;
-  fill(hooks_.report());
+  fill(workspace_.renderer().frameReport());
   showModes();
 }
 
 void FramePanel::countLookups() {
-  const FrameReport::Lookups lookups = hooks_.lookups();
+  vtkGenericOpenGLRenderWindow* window = workspace_.viewport().window3d();
+  window->MakeCurrent();
+  const int* size = window->GetSize();
+  const FrameReport::Lookups lookups = workspace_.renderer().measureLookups(size[0], size[1]);
+  workspace_.requestPicture();
   summary_->setText(
       tr("Lookups per pixel: mean %1, at most %2.").arg(lookups.mean, 0, 'f', 2).arg(lookups.most, 0, 'f', 0));
 }
 
+FrameCosts FramePanel::costs() {
+  constexpr int kRounds = 5;
+  QProgressDialog shown(tr("Measuring where the time of a frame goes ..."), tr("Stop"), 0, 100, this);
+  shown.setObjectName("costsProgress");
+  shown.setWindowModality(Qt::ApplicationModal);
+  shown.setMinimumDuration(0);
+  FrameCosts costs;
+  try {
+    costs = measureFrameCosts(
+        workspace_.renderer(), kRounds, [this] { return timedFrameOf(workspace_.viewport().window3d()); },
+        [&shown](double fraction) {
+          shown.setValue(static_cast<int>(99.0 * fraction));
+          return !shown.wasCanceled();
+        });
+  } catch (const Error& error) {
+    emit workspace_.failed(QString::fromUtf8(error.what()));
+  }
+  workspace_.requestPicture();
+  return costs;
+}
+
 void FramePanel::measureCosts() {
-  const FrameCosts costs = hooks_.costs();
+  const FrameCosts costs = this->costs();
   if (costs.parts.empty()) return;
   summary_->setText((costs.cpuTime ? tr("A frame takes %1 ms of CPU time (all threads).") : tr("A frame takes %1 ms."))
                         .arg(costs.frame.median, 0, 'f', 1));

@@ -18,37 +18,30 @@ class QTreeWidgetItem;
 namespace boxprobe {
 
 class QuietCombo;
+class Workspace;
 
 class FramePanel : public QWidget {
   Q_OBJECT
 
  public:
-  struct Hooks {
-    std::function<FrameReport()> report;
-    std::function<FrameReport::Lookups()> lookups;  ///< draws
-    std::function<FrameCosts()> costs;              ///< draws many times, and says so meanwhile; no rows: stopped
-  };
-  FramePanel(Editor& editor, Hooks hooks, QWidget* parent = nullptr);
+  explicit FramePanel(Workspace& workspace);
 
-  /// A picture was drawn.
-  void update();
   void setWatched(bool watched);
-  void showHeatMap(bool shown);  ///< told from elsewhere
-
- signals:
-  void heatMapSwitched(bool on);
 
  private:
+  void update();
   QTreeWidgetItem* section(const QString& title);
   void fill(const FrameReport& report);
   void countLookups();
   void measureCosts();
+  /// Draws many times, and says so meanwhile; no parts: stopped.
+  FrameCosts costs();
   void selectionChanged();
   void showModes();
   void changeObject(const QString& label, const std::function<void(ObjectOverride&)>& change);
 
+  Workspace& workspace_;
   Editor& editor_;
-  Hooks hooks_;
   bool watched_ = false;
   QLabel* summary_;
   QTreeWidget* tree_;

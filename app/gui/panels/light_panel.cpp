@@ -18,12 +18,14 @@
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
 #include "filters/math/cube/srgb.h"
 #include "filters/math/shared/display_math.h"
+#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -54,14 +56,14 @@ void placeByCamera(Light& light, const Camera& camera) {
 
 }  // namespace
 
-LightPanel::LightPanel(Editor& editor, std::function<Camera()> camera, QWidget* parent)
-    : QWidget(parent), editor_(editor), camera_(std::move(camera)) {
+LightPanel::LightPanel(Workspace& workspace) : workspace_(workspace), editor_(workspace.editor()) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   form_ = addSection(this, tr("Sky and lights"));
   addSky(form_);
   addPlace(form_);
   addShadows(form_);
+  workspace.changes().add("light panel", {&Changes::lights, &Changes::sky}, [this](const Changes&) { update(); });
   update();
 }
 
@@ -172,7 +174,7 @@ void LightPanel::addButtons(QFormLayout* form) {
 }
 
 void LightPanel::addLight(LightType type) {
-  const Camera camera = camera_();
+  const Camera camera = workspace_.renderer().currentCamera();
   Light added;
   added.type = type;
   added.color = glm::vec3(1.0F);
@@ -194,7 +196,7 @@ void LightPanel::removeLight() {
 }
 
 void LightPanel::aimByView() {
-  const Camera camera = camera_();
+  const Camera camera = workspace_.renderer().currentCamera();
   commit(tr("place"), [camera](Light& light) { placeByCamera(light, camera); });
 }
 

@@ -1,5 +1,5 @@
 // The scene's lights, one at a time: where it shines from, how strong, what shadows it throws and how soft they are;
-// and the way the sky is turned. Fields preview while they are scrubbed and commit once. Called by the main window.
+// and the way the sky is turned. Fields preview while they are scrubbed and commit once.
 #pragma once
 
 #include <QWidget>
@@ -16,13 +16,13 @@ namespace boxprobe {
 
 class ValueField;
 class VectorRow;
+class Workspace;
 
 class LightPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// `camera`: the view as it is now, along which lights are added and aimed.
-  LightPanel(Editor& editor, std::function<Camera()> camera, QWidget* parent = nullptr);
+  explicit LightPanel(Workspace& workspace);
 
   /// Where the camera is, directional ones and spots the way it looks.
   void addLight(LightType type);
@@ -32,13 +32,12 @@ class LightPanel : public QWidget {
   /// Display colours; the light's intensity stays.
   void setColor(const QColor& color);
 
-  /// The document changed.
-  void update();
   /// The fields show the light of that index.
   void choose(std::size_t index);
 
  private:
   using LightEdit = std::function<void(Light&)>;
+  void update();
   std::optional<std::size_t> index() const;
   const Light* light() const;
   QString label(const QString& what) const;
@@ -53,8 +52,8 @@ class LightPanel : public QWidget {
   void addButtons(QFormLayout* form);
   void addShadows(QFormLayout* form);
 
+  Workspace& workspace_;
   Editor& editor_;
-  std::function<Camera()> camera_;
   QPushButton *remove_ = nullptr, *aim_ = nullptr, *color_ = nullptr;
   QFormLayout* form_ = nullptr;
   ValueField* turn_ = nullptr;

@@ -12,6 +12,7 @@
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/panels/glass_fields.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 #include "app/gui/widgets/quiet_slider.h"
@@ -29,14 +30,13 @@ Document::Edit roughnessEdit(const std::string& name, double roughness) {
 
 }  // namespace
 
-MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
+MaterialPanel::MaterialPanel(Workspace& workspace)
+    : editor_(workspace.editor()),
       materials_(new QuietCombo(this)),
       slider_(new QuietSlider(Qt::Horizontal, this)),
       field_(new ValueField(fieldFormat(materialField("roughness"), 0.01, 3), this)),
       reset_(new QPushButton(tr("Reset to the model's own"), this)),
-      glass_(new GlassFields(editor, this)) {
+      glass_(new GlassFields(workspace.editor(), this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   QFormLayout* form = addSection(this, tr("Material"));
@@ -73,6 +73,9 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
       if (changed == MaterialOverride{}) scene.materials.erase(name);
     });
   });
+  connect(&workspace, &Workspace::modelsReplaced, this, [this, &workspace] { setModels(workspace.models()); });
+  workspace.changes().add("material panel", {&Changes::materials, &Changes::models},
+                          [this](const Changes&) { update(); });
   update();
 }
 

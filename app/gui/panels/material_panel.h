@@ -1,5 +1,4 @@
-// Roughness and glass of the model's materials, set live: the slider previews, letting go commits. Called by the main
-// window.
+// Roughness and glass of the model's materials, set live: the slider previews, letting go commits.
 #pragma once
 
 #include <QWidget>
@@ -18,21 +17,21 @@ namespace boxprobe {
 
 class GlassFields;
 class ValueField;
+class Workspace;
 
 class MaterialPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit MaterialPanel(Editor& editor, QWidget* parent = nullptr);
+  explicit MaterialPanel(Workspace& workspace);
 
-  /// The materials to choose from: those with a name, in the models' order.
-  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
-  /// The document changed.
-  void update();
   /// The one of that name is shown; false if there is none.
   bool choose(const std::string& name);
 
  private:
+  /// The materials to choose from: those with a name, in the models' order.
+  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
+  void update();
   std::string material() const;
   float modelRoughness() const;
   QString label() const;

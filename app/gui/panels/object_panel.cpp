@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "app/gui/edit/field_form.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 #include "app/gui/widgets/value_field.h"
@@ -18,9 +19,8 @@
 
 namespace boxprobe {
 
-ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
+ObjectPanel::ObjectPanel(Workspace& workspace)
+    : editor_(workspace.editor()),
       nodes_(new QuietCombo(this)),
       dynamic_(new QCheckBox(tr("Moving object: baked probes do not capture it"), this)),
       position_(
@@ -69,6 +69,8 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
   connectVector(rotation_, tr("Turn %1"), &ObjectOverride::rotationDegrees);
   connectNumber(maxRoughness_, tr("Set roughness limit of mirror %1"), &PlanarMirror::maxRoughness);
   connectNumber(resolution_, tr("Set resolution of mirror %1"), &PlanarMirror::resolution);
+  connect(&workspace, &Workspace::modelsReplaced, this, [this, &workspace] { setModels(workspace.models()); });
+  workspace.changes().add("object panel", {&Changes::objects, &Changes::models}, [this](const Changes&) { update(); });
   update();
 }
 

@@ -1,5 +1,5 @@
-// Where an object stands, whether it moves, and whether it is a planar mirror for those that do. Called by the main
-// window; a drag of a field previews, its end commits.
+// Where an object stands, whether it moves, and whether it is a planar mirror for those that do. A drag of a field
+// previews, its end commits.
 #pragma once
 
 #include <QWidget>
@@ -20,21 +20,21 @@ namespace boxprobe {
 
 class ValueField;
 class VectorRow;
+class Workspace;
 
 class ObjectPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ObjectPanel(Editor& editor, QWidget* parent = nullptr);
+  explicit ObjectPanel(Workspace& workspace);
 
-  /// The objects to choose from: the models' nodes.
-  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
-  /// The document changed.
-  void update();
   /// The one of that name is shown; false if there is none.
   bool choose(const std::string& name);
 
  private:
+  /// The objects to choose from: the models' nodes.
+  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
+  void update();
   std::string node() const;
   QString label(const QString& pattern) const;
   Document::Edit objectEdit(const std::function<void(ObjectOverride&)>& change) const;

@@ -17,7 +17,12 @@
 #include <iterator>
 #include <utility>
 
+#include "app/gui/handles/probe_widget.h"
 #include "app/gui/panels/probe_commands.h"
+#include "app/gui/view/picture_work.h"
+#include "app/gui/view/shown_parts.h"
+#include "app/gui/view/view_commands.h"
+#include "app/gui/view/workspace.h"
 
 namespace boxprobe {
 
@@ -65,12 +70,12 @@ class Tree : public QTreeView {
 
 }  // namespace
 
-Outliner::Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
-      state_(state),
+Outliner::Outliner(Workspace& workspace, ProbeCommands& commands)
+    : workspace_(workspace),
+      editor_(workspace.editor()),
+      state_(workspace.state()),
       commands_(commands),
-      model_(new OutlinerModel(state, this)),
+      model_(new OutlinerModel(state_, this)),
       filter_(new QLineEdit(this)) {
   filter_->setObjectName("outlinerFilter");
   filter_->setPlaceholderText(tr("Find a name"));
@@ -106,9 +111,9 @@ Outliner::Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QW
   }
   tree->marked = [this](const QModelIndex& at, bool alone) { toggle(at, alone); };
   tree->entered = [this](const QModelIndex& row) {
-    if (model_->kind(row) == Kind::Camera) return emit cameraWanted(static_cast<int>(model_->place(row)));
+    if (model_->kind(row) == Kind::Camera) return workspace_.picture().showCamera(static_cast<int>(model_->place(row)));
     if (model_->isGroup(row)) return tree_->setExpanded(row, !tree_->isExpanded(row));
-    emit frameRequested();
+    workspace_.views().frameSelection();
   };
   connect(tree_, &QTreeView::customContextMenuRequested, this, [this](const QPoint& at) {
     const QModelIndex row = tree_->indexAt(at).siblingAtColumn(OutlinerModel::kName);
@@ -149,7 +154,7 @@ Outliner::Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QW
     QMetaObject::invokeMethod(
         this,
         [this, place, name, camera = model_->kind(row) == Kind::Camera] {
-          camera ? emit cameraRenamed(static_cast<int>(place), name) : commands_.rename(place, name);
+          camera ? workspace_.views().renameCamera(static_cast<int>(place), name) : commands_.rename(place, name);
         },
         Qt::QueuedConnection);
   });
@@ -159,6 +164,17 @@ Outliner::Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QW
     model_->stateChanged();
     followSelection();
   });
+  connect(&workspace, &Workspace::modelsReplaced, this, [this] { model_->setModels(workspace_.models()); });
+  connect(&workspace.handles(), &ProbeWidget::taken, this, &Outliner::showProbes);
+  const Actions& actions = workspace.actions();
+  connect(actions.duplicate, &QAction::triggered, this, &Outliner::duplicateSelected);
+  connect(actions.remove, &QAction::triggered, this, &Outliner::deleteSelected);
+  connect(actions.selectAll, &QAction::triggered, this, &Outliner::selectAll);
+  using C = Changes;
+  workspace.changes().add("outliner",
+                          {&C::probeList, &C::selection, &C::materials, &C::lights, &C::cameras, &C::models},
+                          [this](const C&) { update(); });
+  connect(&editor_, &Editor::selectionChanged, this, &Outliner::update);
   update();
 }
 
@@ -174,10 +190,6 @@ QToolButton* Outliner::addButton(const QString& text, const QString& toolTip, co
   button->setToolTip(toolTip);
   connect(button, &QToolButton::clicked, this, action);
   return button;
-}
-
-void Outliner::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
-  model_->setModels(models);
 }
 
 void Outliner::showStates(const std::vector<BakeStateLook>& looks) {
@@ -289,23 +301,23 @@ bool Outliner::onlyProbesSelected() const {
 
 void Outliner::duplicateSelected() {
   if (onlyProbesSelected()) return commands_.duplicateProbe();
-  emit message(tr("Only probes can be duplicated; select one"));
+  emit workspace_.message(tr("Only probes can be duplicated; select one"));
 }
 
 void Outliner::deleteSelected() {
   if (onlyProbesSelected()) return commands_.deleteProbe();
   const ViewState::Names& objects = state_.objects();
   if (objects.size() == 1) {
-    emit message(tr("%1 is part of the model and cannot be deleted; H hides it in this window")
-                     .arg(QString::fromStdString(*objects.begin())));
+    emit workspace_.message(tr("%1 is part of the model and cannot be deleted; H hides it in this window")
+                                .arg(QString::fromStdString(*objects.begin())));
   } else if (!objects.empty()) {
-    emit message(tr("Objects are part of the model and cannot be deleted; H hides them in this window"));
+    emit workspace_.message(tr("Objects are part of the model and cannot be deleted; H hides them in this window"));
   } else if (selects({Kind::Light})) {
-    emit message(tr("A light is deleted in the panel Sky and lights"));
+    emit workspace_.message(tr("A light is deleted in the panel Sky and lights"));
   } else if (selects({Kind::Camera})) {
-    emit message(tr("A camera is deleted in its menu (right click)"));
+    emit workspace_.message(tr("A camera is deleted in its menu (right click)"));
   } else {
-    emit message(tr("Select a probe to delete"));
+    emit workspace_.message(tr("Select a probe to delete"));
   }
 }
 
@@ -375,7 +387,7 @@ void Outliner::toggle(const QModelIndex& mark, bool alone) {
   const auto& [probes, objects] = names;
   if (probes.empty() && objects.empty()) return;
   if (mark.column() == OutlinerModel::kEye && alone) {
-    emit aloneWanted(probes, objects);
+    workspace_.shown().isolate(probes, objects);
     return;
   }
   const auto any = [&](const auto& holds) {
@@ -384,7 +396,7 @@ void Outliner::toggle(const QModelIndex& mark, bool alone) {
   };
   if (mark.column() == OutlinerModel::kEye) {
     const bool hide = any([this](Part part, const std::string& name) { return state_.shown(part, name); });
-    emit hideWanted(probes, objects, hide);
+    workspace_.shown().setHidden(probes, objects, hide);
   } else {
     const bool lock = any([this](Part part, const std::string& name) { return !state_.locked(part, name); });
     state_.setLocked(Part::Probe, probes, lock);
@@ -396,7 +408,7 @@ void Outliner::addProbeEntries(QMenu& menu, const QModelIndex& row) {
   connect(menu.addAction(tr("&Rename")), &QAction::triggered, this,
           [this, at = QPersistentModelIndex(row)] { tree_->edit(at); });
   menu.addSeparator();
-  for (QAction* action : probeActions_) menu.addAction(action);
+  for (QAction* action : workspace_.actions().ofProbe()) menu.addAction(action);
 }
 
 void Outliner::addViewEntries(QMenu& menu, const QModelIndex& row) {
@@ -416,21 +428,23 @@ void Outliner::addViewEntries(QMenu& menu, const QModelIndex& row) {
     offer(state_.isolated() ? tr("Show the &others again") : tr("Show it a&lone"), OutlinerModel::kEye, true);
   } else {
     connect(menu.addAction(state_.isolated() ? tr("Show the &others again") : tr("Show it a&lone")),
-            &QAction::triggered, this, &Outliner::isolateRequested);
+            &QAction::triggered, &workspace_.shown(), &ShownParts::toggleIsolation);
   }
   offer(locked ? tr("&Unlock") : tr("Loc&k"), OutlinerModel::kLock, false);
   if (state_.anyHidden()) {
-    connect(menu.addAction(tr("Show &all hidden")), &QAction::triggered, this, &Outliner::showAllRequested);
+    connect(menu.addAction(tr("Show &all hidden")), &QAction::triggered, &state_, &ViewState::showAll);
   }
 }
 
 void Outliner::addCameraEntries(QMenu& menu, const QModelIndex& row) {
   const int place = static_cast<int>(model_->place(row));
   connect(menu.addAction(tr("&Look through it")), &QAction::triggered, this,
-          [this, place] { emit cameraWanted(place); });
+          [this, place] { workspace_.picture().showCamera(place); });
   connect(menu.addAction(tr("&Rename")), &QAction::triggered, this,
           [this, at = QPersistentModelIndex(row)] { tree_->edit(at); });
-  connect(menu.addAction(tr("&Delete")), &QAction::triggered, this, [this, place] { emit cameraDeleted(place); });
+  connect(
+      menu.addAction(tr("&Delete")), &QAction::triggered, this,
+      [this, place] { workspace_.views().deleteCamera(place); }, Qt::QueuedConnection);
 }
 
 std::unique_ptr<QMenu> Outliner::menuFor(const QModelIndex& row) {
@@ -438,7 +452,7 @@ std::unique_ptr<QMenu> Outliner::menuFor(const QModelIndex& row) {
   const Kind kind = model_->kind(row);
   if (kind == Kind::Probe) addProbeEntries(*menu, row);
   if (kind == Kind::Object || kind == Kind::Lamp) {
-    connect(menu->addAction(tr("&Frame")), &QAction::triggered, this, &Outliner::frameRequested);
+    connect(menu->addAction(tr("&Frame")), &QAction::triggered, &workspace_.views(), &ViewCommands::frameSelection);
   }
   if (kind == Kind::Camera) addCameraEntries(*menu, row);
   addViewEntries(*menu, row);

@@ -1,6 +1,6 @@
 // The scene as a tree at the window's left: what is selected there is selected in the picture, and the other way. An
 // eye and a lock per row, a field that finds names, renaming in place, a menu under the right button. It scrolls and
-// takes the focus only when it is used itself. Called by the main window.
+// takes the focus only when it is used itself.
 #pragma once
 
 #include <QPersistentModelIndex>
@@ -17,7 +17,6 @@
 #include "app/gui/panels/bake_state_look.h"
 #include "app/gui/panels/outliner_model.h"
 
-class QAction;
 class QLineEdit;
 class QMenu;
 class QToolButton;
@@ -26,18 +25,14 @@ class QTreeView;
 namespace boxprobe {
 
 class ProbeCommands;
+class Workspace;
 
 class Outliner : public QWidget {
   Q_OBJECT
 
  public:
-  Outliner(Editor& editor, ViewState& state, ProbeCommands& commands, QWidget* parent = nullptr);
+  Outliner(Workspace& workspace, ProbeCommands& commands);
 
-  /// What is offered for probes.
-  void setProbeActions(const std::vector<QAction*>& actions) { probeActions_ = actions; }
-  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
-  /// The document changed.
-  void update();
   /// How far each probe's maps are, in the scene's order.
   void showStates(const std::vector<BakeStateLook>& looks);
   /// All probes that are listed.
@@ -55,21 +50,12 @@ class Outliner : public QWidget {
   const OutlinerModel& model() const { return *model_; }
 
  signals:
-  void frameRequested();
-  void isolateRequested();
-  void hideWanted(const ViewState::Names& probes, const ViewState::Names& objects, bool hidden);
-  /// Once more: all are shown.
-  void aloneWanted(const ViewState::Names& probes, const ViewState::Names& objects);
-  void showAllRequested();
   void probeChosen();
   void objectChosen(const QString& node);
   void lightChosen(std::size_t index);
-  void cameraWanted(int index);
-  void cameraRenamed(int index, const QString& name);
-  void cameraDeleted(int index);
-  void message(const QString& text);
 
  private:
+  void update();
   void choose();
   /// If it is not what was shown last.
   void followSelection();
@@ -90,10 +76,10 @@ class Outliner : public QWidget {
   void addViewEntries(QMenu& menu, const QModelIndex& row);
   void addCameraEntries(QMenu& menu, const QModelIndex& row);
 
+  Workspace& workspace_;
   Editor& editor_;
   ViewState& state_;
   ProbeCommands& commands_;
-  std::vector<QAction*> probeActions_;
   OutlinerModel* model_;
   QLineEdit* filter_;
   QTreeView* tree_;

@@ -5,20 +5,18 @@
 #include <QVBoxLayout>
 
 #include "app/gui/edit/exposure_control.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 
 namespace boxprobe {
 
-PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
-    : QWidget(parent), exposure_(new ExposureControl(editor, this)) {
+PicturePanel::PicturePanel(Workspace& workspace) {
+  auto* exposure = new ExposureControl(workspace.editor(), this);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   QFormLayout* form = addSection(this, tr("Picture"));
-  addRow(form, tr("Exposure"), exposure_, ExposureControl::toolTipText());
-}
-
-void PicturePanel::update() {
-  exposure_->update();
+  addRow(form, tr("Exposure"), exposure, ExposureControl::toolTipText());
+  workspace.changes().add("picture panel", {&Changes::exposure}, [exposure](const Changes&) { exposure->update(); });
 }
 
 }  // namespace boxprobe

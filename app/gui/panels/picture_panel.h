@@ -1,4 +1,4 @@
-// Exposure of the picture shown. Called by the main window.
+// Exposure of the picture shown.
 #pragma once
 
 #include <QWidget>
@@ -8,17 +8,13 @@
 namespace boxprobe {
 
 class ExposureControl;
+class Workspace;
 
 class PicturePanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PicturePanel(Editor& editor, QWidget* parent = nullptr);
-  /// The document changed.
-  void update();
-
- private:
-  ExposureControl* exposure_;
+  explicit PicturePanel(Workspace& workspace);
 };
 
 }  // namespace boxprobe

@@ -13,6 +13,7 @@
 #include "app/gui/panels/placed_list.h"
 #include "app/gui/view/display_image.h"
 #include "app/gui/view/picture_difference.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/window_words.h"
 #include "app/session/offscreen_scene.h"
@@ -69,9 +70,8 @@ bool alike(const Scene& a, const Scene& b) {
 
 }  // namespace
 
-PlacePanel::PlacePanel(Editor& editor, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
+PlacePanel::PlacePanel(Workspace& workspace)
+    : editor_(workspace.editor()),
       place_(new QPushButton(this)),
       apply_(new QPushButton(tr("Apply"), this)),
       discard_(new QPushButton(tr("Discard"), this)),
@@ -124,6 +124,14 @@ PlacePanel::PlacePanel(Editor& editor, QWidget* parent)
     if (stopped) emit message(tr("Placing was stopped"));
     refresh();
   });
+  workspace.listenTo(this);
+  connect(workspace.actions().place, &QAction::triggered, this, &PlacePanel::place);
+  connect(&workspace, &Workspace::modelsReplaced, this, [this, &workspace] { models_ = workspace.models(); });
+  using C = Changes;
+  workspace.changes().add(
+      "place panel",
+      {&C::probeShape, &C::probeTechnique, &C::probeCapture, &C::probeList, &C::materials, &C::objects, &C::models},
+      [this](const C&) { update(); });
   refresh();
 }
 

@@ -1,7 +1,6 @@
 // Finds the rooms of the scene, places probes in them and compares pictures with the path tracer's, in a thread of its
 // own with a renderer of its own. Only what measured better is proposed: drawn as ghosts, reviewed in a list with
-// pictures before and after, and accepted probe by probe or all together, as one undo step. Called by the docks; the
-// mathematics is filters/fit's, the comparison app/session's.
+// pictures before and after, and accepted probe by probe or all together, as one undo step.
 #pragma once
 
 #include <QWidget>
@@ -22,17 +21,13 @@ class QPushButton;
 namespace boxprobe {
 
 class PlacedList;
+class Workspace;
 
 class PlacePanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PlacePanel(Editor& editor, QWidget* parent = nullptr);
-
-  /// In the order of scene.models.
-  void setModels(const std::vector<std::shared_ptr<const Model>>& models) { models_ = models; }
-  /// The document changed: a result for what is no longer so is dropped.
-  void update();
+  explicit PlacePanel(Workspace& workspace);
 
   /// How finely pictures are traced; `views` is set in any case.
   void setPaths(int paths) { paths_ = paths; }
@@ -60,6 +55,8 @@ class PlacePanel : public QWidget {
     Probe probe;
     bool own = false;
   };
+  /// The document changed: a result for what is no longer so is dropped.
+  void update();
   void review(Result result);
   std::vector<Proposed> accepted() const;
   std::vector<Probe> ghosts() const;

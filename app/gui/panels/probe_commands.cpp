@@ -1,13 +1,18 @@
 // See probe_commands.h.
 #include "app/gui/panels/probe_commands.h"
 
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <numeric>
 #include <utility>
 
 #include "app/gui/edit/probe_copies.h"
+#include "app/gui/view/workspace.h"
 #include "app/session/fit_scene.h"
+#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -23,15 +28,20 @@ Probe newProbe(const Scene& scene, const Box& bounds, const glm::dvec3& targetWo
 
 }  // namespace
 
-ProbeCommands::ProbeCommands(Editor& editor, Hooks hooks, QObject* parent)
-    : QObject(parent), editor_(editor), hooks_(std::move(hooks)) {}
+ProbeCommands::ProbeCommands(Workspace& workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace), editor_(workspace.editor()) {
+  connect(workspace.actions().addProbe, &QAction::triggered, this, &ProbeCommands::addProbe);
+}
 
 void ProbeCommands::addProbe() {
   editor_.finish();
   if (editor_.scene().models.empty()) {
     return emit editor_.failed(tr("There is nothing to capture yet: open a model or a scene first (Ctrl+O)"));
   }
-  const Probe probe = newProbe(editor_.scene(), hooks_.sceneBounds(), hooks_.cameraTargetWorld());
+  SceneRenderer& renderer = workspace_.renderer();
+  // It is captured where the camera looks at.
+  const double* target = renderer.renderer()->GetActiveCamera()->GetFocalPoint();
+  const Probe probe = newProbe(editor_.scene(), renderer.bounds(), {target[0], target[1], target[2]});
   editor_.commit(tr("Add %1").arg(QString::fromStdString(probe.name)),
                  [probe](Scene& scene) { scene.probes.push_back(probe); });
   editor_.selectProbe(findProbe(editor_.scene(), probe.name));

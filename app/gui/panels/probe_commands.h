@@ -1,26 +1,20 @@
-// What is done with whole probes: add, duplicate, delete, rename, each as one undo step. Called by the menus and the
-// outliner.
+// What is done with whole probes: add, duplicate, delete, rename, each as one undo step.
 #pragma once
 
 #include <QObject>
 #include <QString>
 #include <cstddef>
-#include <functional>
-
-#include "app/gui/edit/editor.h"
 
 namespace boxprobe {
+
+class Editor;
+class Workspace;
 
 class ProbeCommands : public QObject {
   Q_OBJECT
 
  public:
-  struct Hooks {
-    std::function<glm::dvec3()> cameraTargetWorld;  ///< where a new probe is captured
-    std::function<Box()> sceneBounds;               ///< what its box is fitted to
-  };
-
-  ProbeCommands(Editor& editor, Hooks hooks, QObject* parent = nullptr);
+  ProbeCommands(Workspace& workspace, QObject* parent);
 
   void addProbe();
   void duplicateProbe();
@@ -33,8 +27,8 @@ class ProbeCommands : public QObject {
   void added();
 
  private:
+  Workspace& workspace_;
   Editor& editor_;
-  Hooks hooks_;
 };
 
 }  // namespace boxprobe

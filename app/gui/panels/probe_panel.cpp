@@ -16,6 +16,7 @@
 #include "app/gui/panels/blend_row.h"
 #include "app/gui/panels/technique_chooser.h"
 #include "app/gui/panels/technique_parameters_panel.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/differs.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/vector_row.h"
@@ -59,7 +60,7 @@ Box withSide(Box box, bool maximum, int axis, double value) {
 
 }  // namespace
 
-ProbePanel::ProbePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
+ProbePanel::ProbePanel(Workspace& workspace) : editor_(workspace.editor()) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   buildPlace();
@@ -84,6 +85,8 @@ ProbePanel::ProbePanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
                                                     {occlusionPower_, "occlusionPower"},
                                                     {occlusionStrength_, "occlusionStrength"}};
   for (const auto& [widget, name] : names) widget->setObjectName(name);
+  workspace.changes().add("probe panel", selectedProbeKinds(), [this](const Changes&) { update(); });
+  connect(&workspace.editor(), &Editor::selectionChanged, this, &ProbePanel::update);
   update();
 }
 

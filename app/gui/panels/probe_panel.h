@@ -1,6 +1,5 @@
 // Place, influence and look of the selected probe in numbers: shows the document's values and turns entries into edits
-// through the editor. Called by the main window; knows neither the picture nor the list of probes, nor how it is
-// captured (capture_panel.h).
+// through the editor. How it is captured stands in capture_panel.h.
 #pragma once
 
 #include <QWidget>
@@ -20,19 +19,18 @@ class BlendRow;
 class TechniqueChooser;
 class TechniqueParametersPanel;
 class VectorRow;
+class Workspace;
 
 class ProbePanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ProbePanel(Editor& editor, QWidget* parent = nullptr);
-
-  /// The document changed.
-  void update();
+  explicit ProbePanel(Workspace& workspace);
 
  private:
   using VectorEdit = std::function<void(Probe&, int axis, double value)>;
 
+  void update();
   void buildPlace();
   void buildInfluence();
   void buildLook();

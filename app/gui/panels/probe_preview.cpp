@@ -1,6 +1,8 @@
 // See probe_preview.h.
 #include "app/gui/panels/probe_preview.h"
 
+#include <vtkGenericOpenGLRenderWindow.h>
+
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -13,6 +15,9 @@
 #include <utility>
 
 #include "app/gui/edit/probe_fields.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/cube_view.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_slider.h"
@@ -57,11 +62,10 @@ double largestRed(const CubeMap& cube) {
 
 }  // namespace
 
-ProbePreview::ProbePreview(Editor& editor, SceneRenderer& renderer, std::function<void()> makeCurrent, QWidget* parent)
-    : QWidget(parent),
-      editor_(editor),
-      renderer_(renderer),
-      makeCurrent_(std::move(makeCurrent)),
+ProbePreview::ProbePreview(Workspace& workspace)
+    : workspace_(workspace),
+      editor_(workspace.editor()),
+      renderer_(workspace.renderer()),
       view_(new CubeFaces(this)),
       readout_(helpLabel(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -78,6 +82,10 @@ ProbePreview::ProbePreview(Editor& editor, SceneRenderer& renderer, std::functio
   connect(&timer_, &QTimer::timeout, this, &ProbePreview::readOne);
   connect(view_, &CubeFaces::pointed, this, &ProbePreview::tell);
   connect(view_, &CubeFaces::widthChanged, this, &ProbePreview::draw);
+  // Its maps come with the pictures that follow them.
+  workspace.changes().add("cubemap", {&Changes::probeList, &Changes::selection, &Changes::exposure},
+                          [this](const Changes&) { update(); });
+  connect(&workspace.scheduler(), &RenderScheduler::rendered, this, &ProbePreview::update);
   tell(std::nullopt);
 }
 
@@ -180,7 +188,7 @@ void ProbePreview::start() {
 }
 
 void ProbePreview::readOne() {
-  makeCurrent_();
+  workspace_.viewport().window3d()->MakeCurrent();
   reader_.step();
   ++facesRead_;
   if (reader_.pending()) return;
@@ -234,7 +242,7 @@ void ProbePreview::updateSphere() {
   }
   if (settings == renderer_.previewSphere()) return;
   renderer_.showPreviewSphere(settings);
-  emit pictureChanged();
+  workspace_.requestPicture();
 }
 
 void ProbePreview::tell(const std::optional<glm::vec3>& direction) {

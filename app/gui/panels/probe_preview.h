@@ -19,14 +19,14 @@ namespace boxprobe {
 
 class CubeFaces;
 class SceneRenderer;
+class Workspace;
 class ValueField;
 
 class ProbePreview : public QWidget {
   Q_OBJECT
 
  public:
-  /// `makeCurrent` makes the GL context of the renderer's window current.
-  ProbePreview(Editor& editor, SceneRenderer& renderer, std::function<void()> makeCurrent, QWidget* parent = nullptr);
+  explicit ProbePreview(Workspace& workspace);
 
   /// Whether anyone can see it. A dock behind another's tab still counts as visible for Qt.
   void setWatched(bool watched);
@@ -36,10 +36,6 @@ class ProbePreview : public QWidget {
   int facesRead() const { return facesRead_; }
   /// Nothing left to read.
   bool idle() const { return !reader_.pending() && !timer_.isActive(); }
-
- signals:
-  /// The sphere in the 3D view changed.
-  void pictureChanged();
 
  private:
   void buildFields();
@@ -52,9 +48,9 @@ class ProbePreview : public QWidget {
   bool showsDistance() const;
   int level() const;
 
+  Workspace& workspace_;
   Editor& editor_;
   SceneRenderer& renderer_;
-  std::function<void()> makeCurrent_;
   CubeFaces* view_;
   QLabel* readout_;
   QComboBox *what_ = nullptr, *kind_ = nullptr, *sphere_ = nullptr;

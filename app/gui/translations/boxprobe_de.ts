@@ -1728,6 +1728,381 @@
     </message>
 </context>
 <context>
+    <name>boxprobe::Actions</name>
+    <message>
+        <source>Handles on the faces of the projection box: a filled ball at the maximum, a hollow one at the minimum</source>
+        <translation>Griffe an den Flächen der Projektionsbox: gefüllte Kugel am Maximum, hohle am Minimum</translation>
+    </message>
+    <message>
+        <source>Balls on the influence box, cubes on the box inside which the probe has its full weight</source>
+        <translation>Kugeln an der Einflussbox, Würfel an der Box, in der die Sonde ihr volles Gewicht hat</translation>
+    </message>
+    <message>
+        <source>Arrows at the capture origin</source>
+        <translation>Pfeile am Aufnahmeursprung</translation>
+    </message>
+    <message>
+        <source>Moves and turns the whole probe</source>
+        <translation>Bewegt und dreht die ganze Sonde</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>Von %1</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Öffnen...</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Neu laden</translation>
+    </message>
+    <message>
+        <source>S&amp;ky from a picture...</source>
+        <translation>&amp;Himmel aus einem Bild...</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Speichern &amp;unter...</translation>
+    </message>
+    <message>
+        <source>&amp;Export image...</source>
+        <translation>Bild &amp;exportieren...</translation>
+    </message>
+    <message>
+        <source>Export &amp;probes...</source>
+        <translation>Sonden e&amp;xportieren...</translation>
+    </message>
+    <message>
+        <source>&amp;Live link...</source>
+        <translation>&amp;Live-Verbindung...</translation>
+    </message>
+    <message>
+        <source>Save &amp;baked probes...</source>
+        <translation>Ge&amp;backene Sonden speichern...</translation>
+    </message>
+    <message>
+        <source>Repor&amp;t...</source>
+        <translation>Berich&amp;t...</translation>
+    </message>
+    <message>
+        <source>One HTML file: every camera drawn and path traced, the probes with their fit and cost</source>
+        <translation>Eine HTML-Datei: jede Kamera gezeichnet und per Pathtracing berechnet, die Sonden mit Passung und Kosten</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Been&amp;den</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Add probe</source>
+        <translation>Sonde &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate probe</source>
+        <translation>Sonde &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>De&amp;lete probe</source>
+        <translation>Sonde &amp;löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy probe</source>
+        <translation>Sonde &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste probes</source>
+        <translation>Sonden &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Select all probes</source>
+        <translation>&amp;Alle Sonden auswählen</translation>
+    </message>
+    <message>
+        <source>Select the probe &amp;here</source>
+        <translation>&amp;Sonde hier auswählen</translation>
+    </message>
+    <message>
+        <source>The probe that lights the place where the camera stands</source>
+        <translation>Die Sonde, die den Ort der Kamera beleuchtet</translation>
+    </message>
+    <message>
+        <source>&amp;Fit box</source>
+        <translation>Box an&amp;passen</translation>
+    </message>
+    <message>
+        <source>&amp;Place probes</source>
+        <translation>Sonden pla&amp;tzieren</translation>
+    </message>
+    <message>
+        <source>&amp;Bake probe</source>
+        <translation>Sonde &amp;backen</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ke all probes</source>
+        <translation>Alle Sonden ba&amp;cken</translation>
+    </message>
+    <message>
+        <source>Cancel the drag or stop capturing</source>
+        <translation>Ziehen abbrechen oder Aufnahme stoppen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset view</source>
+        <translation>Ansicht &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Frame the selection</source>
+        <translation>Auswahl &amp;einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Look from the probe</source>
+        <translation>Von der S&amp;onde aus blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Walk at eye height</source>
+        <translation>Auf Augen&amp;höhe gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the selection</source>
+        <translation>Auswahl a&amp;usblenden</translation>
+    </message>
+    <message>
+        <source>In this window alone; the scene&apos;s file, captures and exported pictures have it</source>
+        <translation>Nur in diesem Fenster; Szenendatei, Aufnahmen und exportierte Bilder enthalten sie</translation>
+    </message>
+    <message>
+        <source>Show &amp;all hidden</source>
+        <translation>Alles Aus&amp;geblendete zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate the selection</source>
+        <translation>Auswahl &amp;isolieren</translation>
+    </message>
+    <message>
+        <source>Of a probe: with the objects that reach into its box. Once more shows the others again</source>
+        <translation>Bei einer Sonde: mit den Objekten, die in ihre Box reichen. Nochmals zeigt die anderen wieder</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t away what hides the probe&apos;s box</source>
+        <translation>Was die Box verdeckt, &amp;wegschneiden</translation>
+    </message>
+    <message>
+        <source>Looks into a room from outside. Exported pictures, errors and captures are not cut</source>
+        <translation>Blickt von außen in einen Raum. Exportierte Bilder, Fehler und Aufnahmen sind nicht beschnitten</translation>
+    </message>
+    <message>
+        <source>&amp;Hold this picture</source>
+        <translation>Dieses Bild fest&amp;halten</translation>
+    </message>
+    <message>
+        <source>With &amp;all light, ray traced</source>
+        <translation>Mit &amp;allem Licht, Raytracing</translation>
+    </message>
+    <message>
+        <source>With the &amp;reflection alone ray traced</source>
+        <translation>Nur die &amp;Reflexion per Raytracing</translation>
+    </message>
+    <message>
+        <source>&amp;Error against all light, ray traced</source>
+        <translation>&amp;Fehler gegen alles Licht, Raytracing</translation>
+    </message>
+    <message>
+        <source>The &amp;difference in false colours</source>
+        <translation>&amp;Differenz in Falschfarben</translation>
+    </message>
+    <message>
+        <source>&amp;Flip to the other picture</source>
+        <translation>&amp;Zum anderen Bild wechseln</translation>
+    </message>
+    <message>
+        <source>Four &amp;views side by side</source>
+        <translation>&amp;Vier Ansichten nebeneinander</translation>
+    </message>
+    <message>
+        <source>&amp;Stop comparing</source>
+        <translation>Vergleich &amp;beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Brighter</source>
+        <translation>&amp;Heller</translation>
+    </message>
+    <message>
+        <source>&amp;Darker</source>
+        <translation>&amp;Dunkler</translation>
+    </message>
+    <message>
+        <source>&amp;Expose automatically</source>
+        <translation>&amp;Automatisch belichten</translation>
+    </message>
+    <message>
+        <source>To the &amp;left</source>
+        <translation>Nach &amp;links</translation>
+    </message>
+    <message>
+        <source>To the &amp;right</source>
+        <translation>Nach &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Ground shado&amp;w</source>
+        <translation>Boden&amp;schatten</translation>
+    </message>
+    <message>
+        <source>Ambient occl&amp;usion</source>
+        <translation>Umgebungsver&amp;deckung</translation>
+    </message>
+    <message>
+        <source>Probe &amp;boxes and handles</source>
+        <translation>Sondenbo&amp;xen und Griffe</translation>
+    </message>
+    <message>
+        <source>Re&amp;flections from probes</source>
+        <translation>Re&amp;flexionen von Sonden</translation>
+    </message>
+    <message>
+        <source>C&amp;heaper techniques while moving</source>
+        <translation>Gü&amp;nstigere Techniken bei Bewegung</translation>
+    </message>
+    <message>
+        <source>Draws expensive techniques by a cheaper one while the camera or a handle moves</source>
+        <translation>Zeichnet teure Techniken durch eine günstigere, solange sich Kamera oder Griff bewegen</translation>
+    </message>
+    <message>
+        <source>Refi&amp;ne at rest</source>
+        <translation>In &amp;Ruhe verfeinern</translation>
+    </message>
+    <message>
+        <source>While nothing moves, reflections go on to what rays of the whole lobe show, whatever the technique</source>
+        <translation>Wenn sich nichts bewegt, nähern sich die Reflexionen dem, was Strahlen der ganzen Keule zeigen, gleich mit welcher Technik</translation>
+    </message>
+    <message>
+        <source>&amp;Projector: the picture and the lesson alone</source>
+        <translation>Pro&amp;jektor: nur Bild und Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Explain pixels</source>
+        <translation>Pixel &amp;erklären</translation>
+    </message>
+    <message>
+        <source>&amp;Copy explanation as text</source>
+        <translation>Erklärung als &amp;Text kopieren</translation>
+    </message>
+    <message>
+        <source>Copy explanation as &amp;JSON</source>
+        <translation>Erklärung als &amp;JSON kopieren</translation>
+    </message>
+    <message>
+        <source>Save &amp;rays...</source>
+        <translation>&amp;Strahlen speichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Work counters in the status bar</source>
+        <translation>&amp;Arbeitszähler in der Statusleiste</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons...</source>
+        <translation>&amp;Lektionen...</translation>
+    </message>
+    <message>
+        <source>&amp;Keys over the picture</source>
+        <translation>&amp;Tasten über dem Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys, about</source>
+        <translation>&amp;Maus und Tasten, Über</translation>
+    </message>
+    <message>
+        <source>&amp;Box</source>
+        <translation>&amp;Box</translation>
+    </message>
+    <message>
+        <source>&amp;Influence</source>
+        <translation>&amp;Einfluss</translation>
+    </message>
+    <message>
+        <source>&amp;Origin</source>
+        <translation>&amp;Ursprung</translation>
+    </message>
+    <message>
+        <source>&amp;Move and turn</source>
+        <translation>Be&amp;wegen und drehen</translation>
+    </message>
+    <message>
+        <source>N&amp;one</source>
+        <translation>K&amp;eins</translation>
+    </message>
+    <message>
+        <source>Khronos PBR &amp;Neutral</source>
+        <translation>Khronos PBR &amp;Neutral</translation>
+    </message>
+    <message>
+        <source>&amp;AgX</source>
+        <translation>&amp;AgX</translation>
+    </message>
+    <message>
+        <source>A&amp;CES</source>
+        <translation>A&amp;CES</translation>
+    </message>
+    <message>
+        <source>&amp;Environment</source>
+        <translation>&amp;Umgebung</translation>
+    </message>
+    <message>
+        <source>&amp;Blurred environment</source>
+        <translation>&amp;Weichgezeichnete Umgebung</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+    <message>
+        <source>&amp;Colour...</source>
+        <translation>&amp;Farbe...</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop has it</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>D&amp;unkel</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Zuletzt &amp;geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>&amp;Verlauf</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Material variant</source>
+        <translation>&amp;Materialvariante</translation>
+    </message>
+</context>
+<context>
     <name>boxprobe::AnimationTools</name>
     <message>
         <source>Animation</source>
@@ -1880,6 +2255,41 @@
     <message>
         <source>up to </source>
         <translation>bis zu </translation>
+    </message>
+</context>
+<context>
+    <name>boxprobe::CameraMenu</name>
+    <message>
+        <source>&amp;Store this view...</source>
+        <translation>Diese Ansicht &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Move here</source>
+        <translation>&amp;Hierher bewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Store this view</source>
+        <translation>Diese Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Name of the camera</source>
+        <translation>Name der Kamera</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Rename camera</source>
+        <translation>Kamera umbenennen</translation>
     </message>
 </context>
 <context>
@@ -2295,14 +2705,6 @@
 <context>
     <name>boxprobe::FileCommands</name>
     <message>
-        <source>no scene</source>
-        <translation>keine Szene</translation>
-    </message>
-    <message>
-        <source>%1 (not saved)</source>
-        <translation>%1 (nicht gespeichert)</translation>
-    </message>
-    <message>
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
     </message>
@@ -2457,6 +2859,10 @@
     <message>
         <source>Cannot export</source>
         <translation>Exportieren nicht möglich</translation>
+    </message>
+    <message>
+        <source>The file&apos;s own</source>
+        <translation>Wie in der Datei</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +3144,14 @@ eine Abfrage, auf Fläche %1</translation>
     <message>
         <source>lights %1 objects, %2 of them in this frame</source>
         <translation>beleuchtet %1 Objekte, davon %2 in diesem Frame</translation>
+    </message>
+    <message>
+        <source>Measuring where the time of a frame goes ...</source>
+        <translation>Es wird gemessen, wohin die Zeit eines Frames geht ...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
     </message>
 </context>
 <context>
@@ -3382,10 +3796,6 @@ eine Abfrage, auf Fläche %1</translation>
         <source>This lesson still has a question or a task</source>
         <translation>Diese Lektion hat noch eine Frage oder Aufgabe</translation>
     </message>
-    <message>
-        <source>Lesson: %1</source>
-        <translation>Lektion: %1</translation>
-    </message>
 </context>
 <context>
     <name>boxprobe::LessonVisit</name>
@@ -3678,58 +4088,6 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>&amp;Open...</source>
-        <translation>&amp;Öffnen...</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>Zuletzt &amp;geöffnet</translation>
-    </message>
-    <message>
-        <source>&amp;Reload</source>
-        <translation>&amp;Neu laden</translation>
-    </message>
-    <message>
-        <source>S&amp;ky from a picture...</source>
-        <translation>&amp;Himmel aus einem Bild...</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Save &amp;as...</source>
-        <translation>Speichern &amp;unter...</translation>
-    </message>
-    <message>
-        <source>&amp;Export image...</source>
-        <translation>Bild &amp;exportieren...</translation>
-    </message>
-    <message>
-        <source>Export &amp;probes...</source>
-        <translation>Sonden e&amp;xportieren...</translation>
-    </message>
-    <message>
-        <source>&amp;Live link...</source>
-        <translation>&amp;Live-Verbindung...</translation>
-    </message>
-    <message>
-        <source>Save &amp;baked probes...</source>
-        <translation>Ge&amp;backene Sonden speichern...</translation>
-    </message>
-    <message>
-        <source>Repor&amp;t...</source>
-        <translation>Berich&amp;t...</translation>
-    </message>
-    <message>
-        <source>One HTML file: every camera drawn and path traced, the probes with their fit and cost</source>
-        <translation>Eine HTML-Datei: jede Kamera gezeichnet und per Pathtracing berechnet, die Sonden mit Passung und Kosten</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>Been&amp;den</translation>
-    </message>
-    <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>
@@ -3742,328 +4100,40 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>&amp;History</source>
-        <translation>&amp;Verlauf</translation>
-    </message>
-    <message>
-        <source>&amp;Add probe</source>
-        <translation>Sonde &amp;hinzufügen</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate probe</source>
-        <translation>Sonde &amp;duplizieren</translation>
-    </message>
-    <message>
-        <source>De&amp;lete probe</source>
-        <translation>Sonde &amp;löschen</translation>
-    </message>
-    <message>
-        <source>&amp;Copy probe</source>
-        <translation>Sonde &amp;kopieren</translation>
-    </message>
-    <message>
-        <source>&amp;Paste probes</source>
-        <translation>Sonden &amp;einfügen</translation>
-    </message>
-    <message>
-        <source>&amp;Select all probes</source>
-        <translation>&amp;Alle Sonden auswählen</translation>
-    </message>
-    <message>
-        <source>Select the probe &amp;here</source>
-        <translation>&amp;Sonde hier auswählen</translation>
-    </message>
-    <message>
-        <source>The probe that lights the place where the camera stands</source>
-        <translation>Die Sonde, die den Ort der Kamera beleuchtet</translation>
-    </message>
-    <message>
-        <source>&amp;Fit box</source>
-        <translation>Box an&amp;passen</translation>
-    </message>
-    <message>
-        <source>&amp;Place probes</source>
-        <translation>Sonden pla&amp;tzieren</translation>
-    </message>
-    <message>
-        <source>&amp;Bake probe</source>
-        <translation>Sonde &amp;backen</translation>
-    </message>
-    <message>
-        <source>Ba&amp;ke all probes</source>
-        <translation>Alle Sonden ba&amp;cken</translation>
-    </message>
-    <message>
-        <source>Cancel the drag or stop capturing</source>
-        <translation>Ziehen abbrechen oder Aufnahme stoppen</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Camera</source>
-        <translation>&amp;Kamera</translation>
-    </message>
-    <message>
-        <source>&amp;Material variant</source>
-        <translation>&amp;Materialvariante</translation>
-    </message>
-    <message>
-        <source>&amp;Reset view</source>
-        <translation>Ansicht &amp;zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Probe &amp;boxes and handles</source>
-        <translation>Sondenbo&amp;xen und Griffe</translation>
-    </message>
-    <message>
-        <source>Re&amp;flections from probes</source>
-        <translation>Re&amp;flexionen von Sonden</translation>
-    </message>
-    <message>
-        <source>C&amp;heaper techniques while moving</source>
-        <translation>Gü&amp;nstigere Techniken bei Bewegung</translation>
-    </message>
-    <message>
-        <source>Draws expensive techniques by a cheaper one while the camera or a handle moves</source>
-        <translation>Zeichnet teure Techniken durch eine günstigere, solange sich Kamera oder Griff bewegen</translation>
-    </message>
-    <message>
-        <source>Refi&amp;ne at rest</source>
-        <translation>In &amp;Ruhe verfeinern</translation>
-    </message>
-    <message>
-        <source>While nothing moves, reflections go on to what rays of the whole lobe show, whatever the technique</source>
-        <translation>Wenn sich nichts bewegt, nähern sich die Reflexionen dem, was Strahlen der ganzen Keule zeigen, gleich mit welcher Technik</translation>
-    </message>
-    <message>
-        <source>&amp;Projector: the picture and the lesson alone</source>
-        <translation>Pro&amp;jektor: nur Bild und Lektion</translation>
-    </message>
-    <message>
         <source>&amp;Debug</source>
         <translation>Deb&amp;ug</translation>
-    </message>
-    <message>
-        <source>&amp;Explain pixels</source>
-        <translation>Pixel &amp;erklären</translation>
     </message>
     <message>
         <source>&amp;Surfaces coloured by</source>
         <translation>&amp;Oberflächen einfärben nach</translation>
     </message>
     <message>
-        <source>&amp;Copy explanation as text</source>
-        <translation>Erklärung als &amp;Text kopieren</translation>
-    </message>
-    <message>
-        <source>Copy explanation as &amp;JSON</source>
-        <translation>Erklärung als &amp;JSON kopieren</translation>
-    </message>
-    <message>
-        <source>Save &amp;rays...</source>
-        <translation>&amp;Strahlen speichern...</translation>
-    </message>
-    <message>
-        <source>&amp;Work counters in the status bar</source>
-        <translation>&amp;Arbeitszähler in der Statusleiste</translation>
-    </message>
-    <message>
         <source>Hel&amp;p</source>
         <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>&amp;Lessons...</source>
-        <translation>&amp;Lektionen...</translation>
-    </message>
-    <message>
-        <source>&amp;Keys over the picture</source>
-        <translation>&amp;Tasten über dem Bild</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse and keys, about</source>
-        <translation>&amp;Maus und Tasten, Über</translation>
-    </message>
-    <message>
-        <source>&amp;Frame the selection</source>
-        <translation>Auswahl &amp;einpassen</translation>
-    </message>
-    <message>
-        <source>&amp;Look from the probe</source>
-        <translation>Von der S&amp;onde aus blicken</translation>
     </message>
     <message>
         <source>Look &amp;along an axis</source>
         <translation>Entlang einer A&amp;chse blicken</translation>
     </message>
     <message>
-        <source>From %1</source>
-        <translation>Von %1</translation>
-    </message>
-    <message>
-        <source>&amp;Walk at eye height</source>
-        <translation>Auf Augen&amp;höhe gehen</translation>
-    </message>
-    <message>
-        <source>&amp;Hide the selection</source>
-        <translation>Auswahl a&amp;usblenden</translation>
-    </message>
-    <message>
-        <source>In this window alone; the scene&apos;s file, captures and exported pictures have it</source>
-        <translation>Nur in diesem Fenster; Szenendatei, Aufnahmen und exportierte Bilder enthalten sie</translation>
-    </message>
-    <message>
-        <source>Show &amp;all hidden</source>
-        <translation>Alles Aus&amp;geblendete zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Isolate the selection</source>
-        <translation>Auswahl &amp;isolieren</translation>
-    </message>
-    <message>
-        <source>Of a probe: with the objects that reach into its box. Once more shows the others again</source>
-        <translation>Bei einer Sonde: mit den Objekten, die in ihre Box reichen. Nochmals zeigt die anderen wieder</translation>
-    </message>
-    <message>
-        <source>Cu&amp;t away what hides the probe&apos;s box</source>
-        <translation>Was die Box verdeckt, &amp;wegschneiden</translation>
-    </message>
-    <message>
-        <source>Looks into a room from outside. Exported pictures, errors and captures are not cut</source>
-        <translation>Blickt von außen in einen Raum. Exportierte Bilder, Fehler und Aufnahmen sind nicht beschnitten</translation>
-    </message>
-    <message>
         <source>C&amp;ompare</source>
         <translation>&amp;Vergleichen</translation>
-    </message>
-    <message>
-        <source>&amp;Hold this picture</source>
-        <translation>Dieses Bild fest&amp;halten</translation>
-    </message>
-    <message>
-        <source>With &amp;all light, ray traced</source>
-        <translation>Mit &amp;allem Licht, Raytracing</translation>
-    </message>
-    <message>
-        <source>With the &amp;reflection alone ray traced</source>
-        <translation>Nur die &amp;Reflexion per Raytracing</translation>
-    </message>
-    <message>
-        <source>&amp;Error against all light, ray traced</source>
-        <translation>&amp;Fehler gegen alles Licht, Raytracing</translation>
-    </message>
-    <message>
-        <source>The &amp;difference in false colours</source>
-        <translation>&amp;Differenz in Falschfarben</translation>
-    </message>
-    <message>
-        <source>&amp;Flip to the other picture</source>
-        <translation>&amp;Zum anderen Bild wechseln</translation>
-    </message>
-    <message>
-        <source>Four &amp;views side by side</source>
-        <translation>&amp;Vier Ansichten nebeneinander</translation>
-    </message>
-    <message>
-        <source>&amp;Stop comparing</source>
-        <translation>Vergleich &amp;beenden</translation>
     </message>
     <message>
         <source>E&amp;xposure</source>
         <translation>&amp;Belichtung</translation>
     </message>
     <message>
-        <source>&amp;Brighter</source>
-        <translation>&amp;Heller</translation>
-    </message>
-    <message>
-        <source>&amp;Darker</source>
-        <translation>&amp;Dunkler</translation>
-    </message>
-    <message>
-        <source>&amp;Expose automatically</source>
-        <translation>&amp;Automatisch belichten</translation>
-    </message>
-    <message>
         <source>To&amp;ne mapping</source>
         <translation>Tone-Ma&amp;pping</translation>
-    </message>
-    <message>
-        <source>N&amp;one</source>
-        <translation>K&amp;eins</translation>
-    </message>
-    <message>
-        <source>Khronos PBR &amp;Neutral</source>
-        <translation>Khronos PBR &amp;Neutral</translation>
-    </message>
-    <message>
-        <source>&amp;AgX</source>
-        <translation>&amp;AgX</translation>
-    </message>
-    <message>
-        <source>A&amp;CES</source>
-        <translation>A&amp;CES</translation>
     </message>
     <message>
         <source>Back&amp;ground</source>
         <translation>Hin&amp;tergrund</translation>
     </message>
     <message>
-        <source>&amp;Environment</source>
-        <translation>&amp;Umgebung</translation>
-    </message>
-    <message>
-        <source>&amp;Blurred environment</source>
-        <translation>&amp;Weichgezeichnete Umgebung</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grau</translation>
-    </message>
-    <message>
-        <source>&amp;Colour...</source>
-        <translation>&amp;Farbe...</translation>
-    </message>
-    <message>
-        <source>Ground shado&amp;w</source>
-        <translation>Boden&amp;schatten</translation>
-    </message>
-    <message>
-        <source>Ambient occl&amp;usion</source>
-        <translation>Umgebungsver&amp;deckung</translation>
-    </message>
-    <message>
         <source>&amp;Theme</source>
         <translation>Farbschema (&amp;Y)</translation>
-    </message>
-    <message>
-        <source>As the &amp;desktop has it</source>
-        <translation>Wie der &amp;Desktop</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>D&amp;unkel</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Hell</translation>
-    </message>
-    <message>
-        <source>&amp;Store this view...</source>
-        <translation>Diese Ansicht &amp;speichern...</translation>
-    </message>
-    <message>
-        <source>&amp;Move here</source>
-        <translation>&amp;Hierher bewegen</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>&amp;Umbenennen</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Löschen</translation>
     </message>
     <message>
         <source>&amp;Handles</source>
@@ -4072,42 +4142,6 @@ eine Abfrage, auf Fläche %1</translation>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>&amp;Box</source>
-        <translation>&amp;Box</translation>
-    </message>
-    <message>
-        <source>Handles on the faces of the projection box: a filled ball at the maximum, a hollow one at the minimum</source>
-        <translation>Griffe an den Flächen der Projektionsbox: gefüllte Kugel am Maximum, hohle am Minimum</translation>
-    </message>
-    <message>
-        <source>&amp;Influence</source>
-        <translation>&amp;Einfluss</translation>
-    </message>
-    <message>
-        <source>Balls on the influence box, cubes on the box inside which the probe has its full weight</source>
-        <translation>Kugeln an der Einflussbox, Würfel an der Box, in der die Sonde ihr volles Gewicht hat</translation>
-    </message>
-    <message>
-        <source>&amp;Origin</source>
-        <translation>&amp;Ursprung</translation>
-    </message>
-    <message>
-        <source>Arrows at the capture origin</source>
-        <translation>Pfeile am Aufnahmeursprung</translation>
-    </message>
-    <message>
-        <source>&amp;Move and turn</source>
-        <translation>Be&amp;wegen und drehen</translation>
-    </message>
-    <message>
-        <source>Moves and turns the whole probe</source>
-        <translation>Bewegt und dreht die ganze Sonde</translation>
-    </message>
-    <message>
-        <source>The file&apos;s own</source>
-        <translation>Wie in der Datei</translation>
     </message>
     <message>
         <source>As opened</source>
@@ -4140,14 +4174,6 @@ eine Abfrage, auf Fläche %1</translation>
     <message>
         <source>Turn the s&amp;ky</source>
         <translation>Himmel drehen (&amp;Q)</translation>
-    </message>
-    <message>
-        <source>To the &amp;left</source>
-        <translation>Nach &amp;links</translation>
-    </message>
-    <message>
-        <source>To the &amp;right</source>
-        <translation>Nach &amp;rechts</translation>
     </message>
 </context>
 <context>
@@ -4581,14 +4607,6 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>Kosten</translation>
     </message>
     <message>
-        <source>Measuring where the time of a frame goes ...</source>
-        <translation>Es wird gemessen, wohin die Zeit eines Frames geht ...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>Frame</translation>
     </message>
@@ -4713,22 +4731,6 @@ eine Abfrage, auf Fläche %1</translation>
     <message>
         <source>Capture %1 again</source>
         <translation>%1 wieder aufnehmen</translation>
-    </message>
-    <message>
-        <source>Store this view</source>
-        <translation>Diese Ansicht speichern</translation>
-    </message>
-    <message>
-        <source>Name of the camera</source>
-        <translation>Name der Kamera</translation>
-    </message>
-    <message>
-        <source>view</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Rename camera</source>
-        <translation>Kamera umbenennen</translation>
     </message>
 </context>
 <context>
@@ -5539,7 +5541,7 @@ lineares Licht %2  %3  %4   Abdeckung %5</translation>
     </message>
 </context>
 <context>
-    <name>boxprobe::ShownScene</name>
+    <name>boxprobe::ShownParts</name>
     <message>
         <source>Select a probe or an object to hide</source>
         <translation>Zum Ausblenden eine Sonde oder ein Objekt auswählen</translation>
@@ -5941,6 +5943,21 @@ lineares Licht %2  %3  %4   Abdeckung %5</translation>
     <message>
         <source>Reflection probes, step by step (F1)</source>
         <translation>Reflexionssonden, Schritt für Schritt (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>boxprobe::Workspace</name>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>Lektion: %1</translation>
+    </message>
+    <message>
+        <source>no scene</source>
+        <translation>keine Szene</translation>
+    </message>
+    <message>
+        <source>%1 (not saved)</source>
+        <translation>%1 (nicht gespeichert)</translation>
     </message>
 </context>
 </TS>

@@ -1728,6 +1728,381 @@
     </message>
 </context>
 <context>
+    <name>boxprobe::Actions</name>
+    <message>
+        <source>Handles on the faces of the projection box: a filled ball at the maximum, a hollow one at the minimum</source>
+        <translation>投影盒各面上的手柄：最大侧为实心球，最小侧为空心球</translation>
+    </message>
+    <message>
+        <source>Balls on the influence box, cubes on the box inside which the probe has its full weight</source>
+        <translation>球位于影响盒上，方块位于探针具有完整权重的盒上</translation>
+    </message>
+    <message>
+        <source>Arrows at the capture origin</source>
+        <translation>捕捉原点处的箭头</translation>
+    </message>
+    <message>
+        <source>Moves and turns the whole probe</source>
+        <translation>移动和旋转整个探针</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>从 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>打开(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>重新加载(&amp;R)</translation>
+    </message>
+    <message>
+        <source>S&amp;ky from a picture...</source>
+        <translation>从图片设置天空(&amp;K)...</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>另存为(&amp;A)...</translation>
+    </message>
+    <message>
+        <source>&amp;Export image...</source>
+        <translation>导出图像(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>Export &amp;probes...</source>
+        <translation>导出探针(&amp;P)...</translation>
+    </message>
+    <message>
+        <source>&amp;Live link...</source>
+        <translation>实时链接(&amp;L)...</translation>
+    </message>
+    <message>
+        <source>Save &amp;baked probes...</source>
+        <translation>保存烘焙的探针(&amp;B)...</translation>
+    </message>
+    <message>
+        <source>Repor&amp;t...</source>
+        <translation>报告(&amp;T)...</translation>
+    </message>
+    <message>
+        <source>One HTML file: every camera drawn and path traced, the probes with their fit and cost</source>
+        <translation>一个 HTML 文件：每个相机的绘制与路径追踪结果，以及探针的拟合与开销</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Add probe</source>
+        <translation>添加探针(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate probe</source>
+        <translation>创建探针副本(&amp;D)</translation>
+    </message>
+    <message>
+        <source>De&amp;lete probe</source>
+        <translation>删除探针(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy probe</source>
+        <translation>复制探针(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste probes</source>
+        <translation>粘贴探针(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Select all probes</source>
+        <translation>选择所有探针(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Select the probe &amp;here</source>
+        <translation>选择此处的探针(&amp;H)</translation>
+    </message>
+    <message>
+        <source>The probe that lights the place where the camera stands</source>
+        <translation>照亮相机所在处的探针</translation>
+    </message>
+    <message>
+        <source>&amp;Fit box</source>
+        <translation>拟合盒(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Place probes</source>
+        <translation>放置探针(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Bake probe</source>
+        <translation>烘焙探针(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ke all probes</source>
+        <translation>烘焙所有探针(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Cancel the drag or stop capturing</source>
+        <translation>取消拖动或停止捕捉</translation>
+    </message>
+    <message>
+        <source>&amp;Reset view</source>
+        <translation>重置视图(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Frame the selection</source>
+        <translation>框显所选(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Look from the probe</source>
+        <translation>从探针观察(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Walk at eye height</source>
+        <translation>以视线高度行走(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the selection</source>
+        <translation>隐藏所选(&amp;H)</translation>
+    </message>
+    <message>
+        <source>In this window alone; the scene&apos;s file, captures and exported pictures have it</source>
+        <translation>仅在此窗口中；场景文件、捕捉和导出的图像仍包含它</translation>
+    </message>
+    <message>
+        <source>Show &amp;all hidden</source>
+        <translation>显示所有隐藏项(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate the selection</source>
+        <translation>隔离所选(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Of a probe: with the objects that reach into its box. Once more shows the others again</source>
+        <translation>对于探针：连同伸入其盒内的物体。再次执行则重新显示其他内容</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t away what hides the probe&apos;s box</source>
+        <translation>切除遮挡探针盒的部分(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Looks into a room from outside. Exported pictures, errors and captures are not cut</source>
+        <translation>从外部看进房间。导出的图像、误差和捕捉不受切除影响</translation>
+    </message>
+    <message>
+        <source>&amp;Hold this picture</source>
+        <translation>保留此画面(&amp;H)</translation>
+    </message>
+    <message>
+        <source>With &amp;all light, ray traced</source>
+        <translation>与全部光照的光线追踪比较(&amp;A)</translation>
+    </message>
+    <message>
+        <source>With the &amp;reflection alone ray traced</source>
+        <translation>仅反射使用光线追踪(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Error against all light, ray traced</source>
+        <translation>相对全部光照光线追踪的误差(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The &amp;difference in false colours</source>
+        <translation>以伪彩色显示差异(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Flip to the other picture</source>
+        <translation>切换到另一画面(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Four &amp;views side by side</source>
+        <translation>四个视图并排(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop comparing</source>
+        <translation>停止比较(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Brighter</source>
+        <translation>变亮(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Darker</source>
+        <translation>变暗(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Expose automatically</source>
+        <translation>自动曝光(&amp;E)</translation>
+    </message>
+    <message>
+        <source>To the &amp;left</source>
+        <translation>向左(&amp;L)</translation>
+    </message>
+    <message>
+        <source>To the &amp;right</source>
+        <translation>向右(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ground shado&amp;w</source>
+        <translation>地面阴影(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Ambient occl&amp;usion</source>
+        <translation>环境光遮蔽(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Probe &amp;boxes and handles</source>
+        <translation>探针盒与手柄(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Re&amp;flections from probes</source>
+        <translation>来自探针的反射(&amp;F)</translation>
+    </message>
+    <message>
+        <source>C&amp;heaper techniques while moving</source>
+        <translation>移动时使用更省的技术(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Draws expensive techniques by a cheaper one while the camera or a handle moves</source>
+        <translation>相机或手柄移动时，用更省的技术代替开销大的技术绘制</translation>
+    </message>
+    <message>
+        <source>Refi&amp;ne at rest</source>
+        <translation>静止时精细化(&amp;N)</translation>
+    </message>
+    <message>
+        <source>While nothing moves, reflections go on to what rays of the whole lobe show, whatever the technique</source>
+        <translation>画面静止时，无论使用何种技术，反射都会继续逼近整个波瓣的光线所示结果</translation>
+    </message>
+    <message>
+        <source>&amp;Projector: the picture and the lesson alone</source>
+        <translation>投影模式：仅画面与课程(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Explain pixels</source>
+        <translation>解释像素(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy explanation as text</source>
+        <translation>将解释复制为文本(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy explanation as &amp;JSON</source>
+        <translation>将解释复制为 JSON(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Save &amp;rays...</source>
+        <translation>保存光线(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>&amp;Work counters in the status bar</source>
+        <translation>在状态栏显示工作计数(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons...</source>
+        <translation>课程(&amp;L)...</translation>
+    </message>
+    <message>
+        <source>&amp;Keys over the picture</source>
+        <translation>在画面上显示按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys, about</source>
+        <translation>鼠标与按键、关于(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Box</source>
+        <translation>盒(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Influence</source>
+        <translation>影响范围(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Origin</source>
+        <translation>原点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Move and turn</source>
+        <translation>移动和旋转(&amp;M)</translation>
+    </message>
+    <message>
+        <source>N&amp;one</source>
+        <translation>无(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Khronos PBR &amp;Neutral</source>
+        <translation>Khronos PBR 中性(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;AgX</source>
+        <translation>&amp;AgX</translation>
+    </message>
+    <message>
+        <source>A&amp;CES</source>
+        <translation>A&amp;CES</translation>
+    </message>
+    <message>
+        <source>&amp;Environment</source>
+        <translation>环境(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Blurred environment</source>
+        <translation>模糊的环境(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>灰色(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Colour...</source>
+        <translation>颜色(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop has it</source>
+        <translation>跟随桌面(&amp;D)</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>深色(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>打开最近的文件(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>历史记录(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>相机(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Material variant</source>
+        <translation>材质变体(&amp;M)</translation>
+    </message>
+</context>
+<context>
     <name>boxprobe::AnimationTools</name>
     <message>
         <source>Animation</source>
@@ -1880,6 +2255,41 @@
     <message>
         <source>up to </source>
         <translation>最多 </translation>
+    </message>
+</context>
+<context>
+    <name>boxprobe::CameraMenu</name>
+    <message>
+        <source>&amp;Store this view...</source>
+        <translation>保存此视图(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>&amp;Move here</source>
+        <translation>移到此处(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Store this view</source>
+        <translation>保存此视图</translation>
+    </message>
+    <message>
+        <source>Name of the camera</source>
+        <translation>相机名称</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Rename camera</source>
+        <translation>重命名相机</translation>
     </message>
 </context>
 <context>
@@ -2295,14 +2705,6 @@
 <context>
     <name>boxprobe::FileCommands</name>
     <message>
-        <source>no scene</source>
-        <translation>无场景</translation>
-    </message>
-    <message>
-        <source>%1 (not saved)</source>
-        <translation>%1（未保存）</translation>
-    </message>
-    <message>
         <source>%1 in %2</source>
         <translation>%2 中的 %1</translation>
     </message>
@@ -2457,6 +2859,10 @@
     <message>
         <source>Cannot export</source>
         <translation>无法导出</translation>
+    </message>
+    <message>
+        <source>The file&apos;s own</source>
+        <translation>文件自身的</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +3144,14 @@ one lookup, on face %1</source>
     <message>
         <source>lights %1 objects, %2 of them in this frame</source>
         <translation>照亮 %1 个物体，本帧中 %2 个</translation>
+    </message>
+    <message>
+        <source>Measuring where the time of a frame goes ...</source>
+        <translation>正在测量一帧的时间消耗在何处 ...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
     </message>
 </context>
 <context>
@@ -3382,10 +3796,6 @@ one lookup, on face %1</source>
         <source>This lesson still has a question or a task</source>
         <translation>此课程还有问题或任务未完成</translation>
     </message>
-    <message>
-        <source>Lesson: %1</source>
-        <translation>课程：%1</translation>
-    </message>
 </context>
 <context>
     <name>boxprobe::LessonVisit</name>
@@ -3678,58 +4088,6 @@ one lookup, on face %1</source>
         <translation>文件(&amp;F)</translation>
     </message>
     <message>
-        <source>&amp;Open...</source>
-        <translation>打开(&amp;O)...</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>打开最近的文件(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Reload</source>
-        <translation>重新加载(&amp;R)</translation>
-    </message>
-    <message>
-        <source>S&amp;ky from a picture...</source>
-        <translation>从图片设置天空(&amp;K)...</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save &amp;as...</source>
-        <translation>另存为(&amp;A)...</translation>
-    </message>
-    <message>
-        <source>&amp;Export image...</source>
-        <translation>导出图像(&amp;E)...</translation>
-    </message>
-    <message>
-        <source>Export &amp;probes...</source>
-        <translation>导出探针(&amp;P)...</translation>
-    </message>
-    <message>
-        <source>&amp;Live link...</source>
-        <translation>实时链接(&amp;L)...</translation>
-    </message>
-    <message>
-        <source>Save &amp;baked probes...</source>
-        <translation>保存烘焙的探针(&amp;B)...</translation>
-    </message>
-    <message>
-        <source>Repor&amp;t...</source>
-        <translation>报告(&amp;T)...</translation>
-    </message>
-    <message>
-        <source>One HTML file: every camera drawn and path traced, the probes with their fit and cost</source>
-        <translation>一个 HTML 文件：每个相机的绘制与路径追踪结果，以及探针的拟合与开销</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>退出(&amp;Q)</translation>
-    </message>
-    <message>
         <source>&amp;Edit</source>
         <translation>编辑(&amp;E)</translation>
     </message>
@@ -3742,328 +4100,40 @@ one lookup, on face %1</source>
         <translation>重做(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;History</source>
-        <translation>历史记录(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Add probe</source>
-        <translation>添加探针(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate probe</source>
-        <translation>创建探针副本(&amp;D)</translation>
-    </message>
-    <message>
-        <source>De&amp;lete probe</source>
-        <translation>删除探针(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Copy probe</source>
-        <translation>复制探针(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Paste probes</source>
-        <translation>粘贴探针(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Select all probes</source>
-        <translation>选择所有探针(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Select the probe &amp;here</source>
-        <translation>选择此处的探针(&amp;H)</translation>
-    </message>
-    <message>
-        <source>The probe that lights the place where the camera stands</source>
-        <translation>照亮相机所在处的探针</translation>
-    </message>
-    <message>
-        <source>&amp;Fit box</source>
-        <translation>拟合盒(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Place probes</source>
-        <translation>放置探针(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Bake probe</source>
-        <translation>烘焙探针(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Ba&amp;ke all probes</source>
-        <translation>烘焙所有探针(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Cancel the drag or stop capturing</source>
-        <translation>取消拖动或停止捕捉</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Camera</source>
-        <translation>相机(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Material variant</source>
-        <translation>材质变体(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Reset view</source>
-        <translation>重置视图(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Probe &amp;boxes and handles</source>
-        <translation>探针盒与手柄(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Re&amp;flections from probes</source>
-        <translation>来自探针的反射(&amp;F)</translation>
-    </message>
-    <message>
-        <source>C&amp;heaper techniques while moving</source>
-        <translation>移动时使用更省的技术(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Draws expensive techniques by a cheaper one while the camera or a handle moves</source>
-        <translation>相机或手柄移动时，用更省的技术代替开销大的技术绘制</translation>
-    </message>
-    <message>
-        <source>Refi&amp;ne at rest</source>
-        <translation>静止时精细化(&amp;N)</translation>
-    </message>
-    <message>
-        <source>While nothing moves, reflections go on to what rays of the whole lobe show, whatever the technique</source>
-        <translation>画面静止时，无论使用何种技术，反射都会继续逼近整个波瓣的光线所示结果</translation>
-    </message>
-    <message>
-        <source>&amp;Projector: the picture and the lesson alone</source>
-        <translation>投影模式：仅画面与课程(&amp;P)</translation>
-    </message>
-    <message>
         <source>&amp;Debug</source>
         <translation>调试(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Explain pixels</source>
-        <translation>解释像素(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Surfaces coloured by</source>
         <translation>表面着色依据(&amp;S)</translation>
     </message>
     <message>
-        <source>&amp;Copy explanation as text</source>
-        <translation>将解释复制为文本(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copy explanation as &amp;JSON</source>
-        <translation>将解释复制为 JSON(&amp;J)</translation>
-    </message>
-    <message>
-        <source>Save &amp;rays...</source>
-        <translation>保存光线(&amp;R)...</translation>
-    </message>
-    <message>
-        <source>&amp;Work counters in the status bar</source>
-        <translation>在状态栏显示工作计数(&amp;W)</translation>
-    </message>
-    <message>
         <source>Hel&amp;p</source>
         <translation>帮助(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Lessons...</source>
-        <translation>课程(&amp;L)...</translation>
-    </message>
-    <message>
-        <source>&amp;Keys over the picture</source>
-        <translation>在画面上显示按键(&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse and keys, about</source>
-        <translation>鼠标与按键、关于(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Frame the selection</source>
-        <translation>框显所选(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Look from the probe</source>
-        <translation>从探针观察(&amp;L)</translation>
     </message>
     <message>
         <source>Look &amp;along an axis</source>
         <translation>沿轴观察(&amp;A)</translation>
     </message>
     <message>
-        <source>From %1</source>
-        <translation>从 %1</translation>
-    </message>
-    <message>
-        <source>&amp;Walk at eye height</source>
-        <translation>以视线高度行走(&amp;W)</translation>
-    </message>
-    <message>
-        <source>&amp;Hide the selection</source>
-        <translation>隐藏所选(&amp;H)</translation>
-    </message>
-    <message>
-        <source>In this window alone; the scene&apos;s file, captures and exported pictures have it</source>
-        <translation>仅在此窗口中；场景文件、捕捉和导出的图像仍包含它</translation>
-    </message>
-    <message>
-        <source>Show &amp;all hidden</source>
-        <translation>显示所有隐藏项(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Isolate the selection</source>
-        <translation>隔离所选(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Of a probe: with the objects that reach into its box. Once more shows the others again</source>
-        <translation>对于探针：连同伸入其盒内的物体。再次执行则重新显示其他内容</translation>
-    </message>
-    <message>
-        <source>Cu&amp;t away what hides the probe&apos;s box</source>
-        <translation>切除遮挡探针盒的部分(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Looks into a room from outside. Exported pictures, errors and captures are not cut</source>
-        <translation>从外部看进房间。导出的图像、误差和捕捉不受切除影响</translation>
-    </message>
-    <message>
         <source>C&amp;ompare</source>
         <translation>比较(&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Hold this picture</source>
-        <translation>保留此画面(&amp;H)</translation>
-    </message>
-    <message>
-        <source>With &amp;all light, ray traced</source>
-        <translation>与全部光照的光线追踪比较(&amp;A)</translation>
-    </message>
-    <message>
-        <source>With the &amp;reflection alone ray traced</source>
-        <translation>仅反射使用光线追踪(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Error against all light, ray traced</source>
-        <translation>相对全部光照光线追踪的误差(&amp;E)</translation>
-    </message>
-    <message>
-        <source>The &amp;difference in false colours</source>
-        <translation>以伪彩色显示差异(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Flip to the other picture</source>
-        <translation>切换到另一画面(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Four &amp;views side by side</source>
-        <translation>四个视图并排(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Stop comparing</source>
-        <translation>停止比较(&amp;S)</translation>
     </message>
     <message>
         <source>E&amp;xposure</source>
         <translation>曝光(&amp;X)</translation>
     </message>
     <message>
-        <source>&amp;Brighter</source>
-        <translation>变亮(&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Darker</source>
-        <translation>变暗(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Expose automatically</source>
-        <translation>自动曝光(&amp;E)</translation>
-    </message>
-    <message>
         <source>To&amp;ne mapping</source>
         <translation>色调映射(&amp;N)</translation>
-    </message>
-    <message>
-        <source>N&amp;one</source>
-        <translation>无(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Khronos PBR &amp;Neutral</source>
-        <translation>Khronos PBR 中性(&amp;N)</translation>
-    </message>
-    <message>
-        <source>&amp;AgX</source>
-        <translation>&amp;AgX</translation>
-    </message>
-    <message>
-        <source>A&amp;CES</source>
-        <translation>A&amp;CES</translation>
     </message>
     <message>
         <source>Back&amp;ground</source>
         <translation>背景(&amp;G)</translation>
     </message>
     <message>
-        <source>&amp;Environment</source>
-        <translation>环境(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Blurred environment</source>
-        <translation>模糊的环境(&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>灰色(&amp;G)</translation>
-    </message>
-    <message>
-        <source>&amp;Colour...</source>
-        <translation>颜色(&amp;C)...</translation>
-    </message>
-    <message>
-        <source>Ground shado&amp;w</source>
-        <translation>地面阴影(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Ambient occl&amp;usion</source>
-        <translation>环境光遮蔽(&amp;U)</translation>
-    </message>
-    <message>
         <source>&amp;Theme</source>
         <translation>主题(&amp;T)</translation>
-    </message>
-    <message>
-        <source>As the &amp;desktop has it</source>
-        <translation>跟随桌面(&amp;D)</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>深色(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>浅色(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Store this view...</source>
-        <translation>保存此视图(&amp;S)...</translation>
-    </message>
-    <message>
-        <source>&amp;Move here</source>
-        <translation>移到此处(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>重命名(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>删除(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Handles</source>
@@ -4072,42 +4142,6 @@ one lookup, on face %1</source>
     <message>
         <source>Tools</source>
         <translation>工具</translation>
-    </message>
-    <message>
-        <source>&amp;Box</source>
-        <translation>盒(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Handles on the faces of the projection box: a filled ball at the maximum, a hollow one at the minimum</source>
-        <translation>投影盒各面上的手柄：最大侧为实心球，最小侧为空心球</translation>
-    </message>
-    <message>
-        <source>&amp;Influence</source>
-        <translation>影响范围(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Balls on the influence box, cubes on the box inside which the probe has its full weight</source>
-        <translation>球位于影响盒上，方块位于探针具有完整权重的盒上</translation>
-    </message>
-    <message>
-        <source>&amp;Origin</source>
-        <translation>原点(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Arrows at the capture origin</source>
-        <translation>捕捉原点处的箭头</translation>
-    </message>
-    <message>
-        <source>&amp;Move and turn</source>
-        <translation>移动和旋转(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Moves and turns the whole probe</source>
-        <translation>移动和旋转整个探针</translation>
-    </message>
-    <message>
-        <source>The file&apos;s own</source>
-        <translation>文件自身的</translation>
     </message>
     <message>
         <source>As opened</source>
@@ -4140,14 +4174,6 @@ one lookup, on face %1</source>
     <message>
         <source>Turn the s&amp;ky</source>
         <translation>转动天空(&amp;K)</translation>
-    </message>
-    <message>
-        <source>To the &amp;left</source>
-        <translation>向左(&amp;L)</translation>
-    </message>
-    <message>
-        <source>To the &amp;right</source>
-        <translation>向右(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -4581,14 +4607,6 @@ one lookup, on face %1</source>
         <translation>开销</translation>
     </message>
     <message>
-        <source>Measuring where the time of a frame goes ...</source>
-        <translation>正在测量一帧的时间消耗在何处 ...</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>帧</translation>
     </message>
@@ -4713,22 +4731,6 @@ one lookup, on face %1</source>
     <message>
         <source>Capture %1 again</source>
         <translation>重新捕捉 %1</translation>
-    </message>
-    <message>
-        <source>Store this view</source>
-        <translation>保存此视图</translation>
-    </message>
-    <message>
-        <source>Name of the camera</source>
-        <translation>相机名称</translation>
-    </message>
-    <message>
-        <source>view</source>
-        <translation>视图</translation>
-    </message>
-    <message>
-        <source>Rename camera</source>
-        <translation>重命名相机</translation>
     </message>
 </context>
 <context>
@@ -5539,7 +5541,7 @@ linear light %2  %3  %4   coverage %5</source>
     </message>
 </context>
 <context>
-    <name>boxprobe::ShownScene</name>
+    <name>boxprobe::ShownParts</name>
     <message>
         <source>Select a probe or an object to hide</source>
         <translation>请选择要隐藏的探针或物体</translation>
@@ -5941,6 +5943,21 @@ linear light %2  %3  %4   coverage %5</source>
     <message>
         <source>Reflection probes, step by step (F1)</source>
         <translation>反射探针，循序渐进（F1）</translation>
+    </message>
+</context>
+<context>
+    <name>boxprobe::Workspace</name>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>课程：%1</translation>
+    </message>
+    <message>
+        <source>no scene</source>
+        <translation>无场景</translation>
+    </message>
+    <message>
+        <source>%1 (not saved)</source>
+        <translation>%1（未保存）</translation>
     </message>
 </context>
 </TS>

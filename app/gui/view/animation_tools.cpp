@@ -10,7 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/edit/editor.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/quiet_slider.h"
 #include "filters/core/base/scope_exit.h"
 #include "filters/vtk/import/model_reader.h"
@@ -23,9 +24,9 @@ constexpr int kSteps = 1000;
 
 }  // namespace
 
-AnimationTools::AnimationTools(Parts parts, QMainWindow* window)
+AnimationTools::AnimationTools(Workspace& workspace, QMainWindow* window)
     : QObject(window),
-      parts_(std::move(parts)),
+      workspace_(workspace),
       bar_(new QToolBar(tr("Animation"), window)),
       slider_(new QuietSlider(Qt::Horizontal, bar_)),
       text_(new QLabel(bar_)),
@@ -57,7 +58,7 @@ AnimationTools::AnimationTools(Parts parts, QMainWindow* window)
   bar_->hide();
   bar_->toggleViewAction()->setVisible(false);
   connect(slider_, &QSlider::valueChanged, this, &AnimationTools::drag);
-  connect(slider_, &QSlider::sliderReleased, this, [this] { parts_.editor.finish(); });
+  connect(slider_, &QSlider::sliderReleased, this, [this] { workspace_.editor().finish(); });
   connect(rest_, &QToolButton::clicked, this,
           [this](bool rest) { ask(rest ? Time() : Time(length() * slider_->value() / kSteps), true); });
   connect(&work_, &BackgroundWork::ended, this, [this](bool, const QString& error) {
@@ -68,6 +69,11 @@ AnimationTools::AnimationTools(Parts parts, QMainWindow* window)
     reading_ = {};
     read();
   });
+  connect(&workspace, &Workspace::opened, this, &AnimationTools::opened);
+  connect(&workspace, &Workspace::modelsReplaced, this, &AnimationTools::forget);
+  connect(&workspace, &Workspace::lessonShown, this, [this](bool open) { open ? forget() : opened(); });
+  connect(this, &AnimationTools::failed, &workspace, &Workspace::failed);
+  workspace.changes().add("animation", {&Changes::models}, [this](const Changes&) { modelsChanged(); });
   // A layout that is restored knows nothing of the model; with the tools hidden the picture stands alone.
   for (QToolBar* bar : {bar_, window->findChild<QToolBar*>("tools")}) {
     if (bar != nullptr) connect(bar, &QToolBar::visibilityChanged, this, &AnimationTools::update, Qt::QueuedConnection);
@@ -75,8 +81,8 @@ AnimationTools::AnimationTools(Parts parts, QMainWindow* window)
 }
 
 void AnimationTools::opened() {
-  const Models& models = parts_.models();
-  const std::size_t count = std::min(models.size(), parts_.document.scene().models.size());
+  const Models& models = workspace_.models();
+  const std::size_t count = std::min(models.size(), workspace_.document().scene().models.size());
   index_.reset();
   for (std::size_t i = 0; i < count && !index_; ++i) {
     if (models[i] && models[i]->animationSeconds > 0.0) index_ = i;
@@ -95,19 +101,15 @@ void AnimationTools::forget() {
   update();
 }
 
-void AnimationTools::setBorrowed(bool borrowed) {
-  borrowed ? forget() : opened();
-}
-
 void AnimationTools::modelsChanged() {
   if (!index_) return;
-  if (*index_ >= parts_.document.scene().models.size()) return forget();
+  if (*index_ >= workspace_.document().scene().models.size()) return forget();
   update();
   read();
 }
 
 AnimationTools::Time AnimationTools::wanted() const {
-  const auto& files = parts_.document.scene().models;
+  const auto& files = workspace_.document().scene().models;
   return index_ && *index_ < files.size() ? files[*index_].time : Time();
 }
 
@@ -128,15 +130,15 @@ void AnimationTools::ask(const Time& time, bool last) {
     if (index < scene.models.size()) scene.models[index].time = time;
   };
   const EditToken token{this, 0, {}};
-  last ? parts_.editor.commit(token, tr("Animation time"), edit)
-       : parts_.editor.preview(token, tr("Animation time"), edit);
+  last ? workspace_.editor().commit(token, tr("Animation time"), edit)
+       : workspace_.editor().preview(token, tr("Animation time"), edit);
 }
 
 void AnimationTools::read() {
-  if (!index_ || *index_ >= parts_.models().size() || work_.running() || wanted() == shown_.time) return;
+  if (!index_ || *index_ >= workspace_.models().size() || work_.running() || wanted() == shown_.time) return;
   const Pose before = shown_;
   if (failed_.model == before.model && failed_.time == wanted()) return;
-  const ModelFile file = parts_.document.scene().models[*index_];
+  const ModelFile file = workspace_.document().scene().models[*index_];
   reading_ = {before.model, file.time};
   work_.start([this, file, before](const BackgroundWork::Progress& progress) -> BackgroundWork::Finish {
     const Pose pose{std::make_shared<const Model>(readModel(file.file, progress, {file.variant, file.time})),
@@ -146,10 +148,10 @@ void AnimationTools::read() {
 }
 
 void AnimationTools::take(const Pose& pose, const Pose& before) {
-  Models models = parts_.models();
+  Models models = workspace_.models();
   // Another scene was opened meanwhile, or a lesson stands there.
   if (!index_ || *index_ >= models.size() || models[*index_] != before.model) return;
-  if (parts_.busy()) {
+  if (workspace_.handles().dragging()) {
     constexpr int kAgain = 100;  // milliseconds
     QTimer::singleShot(kAgain, this, [this, pose, before] { take(pose, before); });
     return;
@@ -159,7 +161,8 @@ void AnimationTools::take(const Pose& pose, const Pose& before) {
   const ScopeExit taken([this] { taking_ = false; });
   shown_ = pose;
   failed_ = {};
-  parts_.show(models);
+  workspace_.takePose(models);
+  workspace_.changes().updateAll();
   update();
 }
 

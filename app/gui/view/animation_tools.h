@@ -1,10 +1,8 @@
 // The time at which a model's animations are shown: a bar over the picture with a slider, there only for models that
-// have some. The model is read again beside the window's work, at the time that was asked for last. Called by the main
-// window.
+// have some. The model is read again beside the window's work, at the time that was asked for last.
 #pragma once
 
 #include <QObject>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,35 +19,25 @@ class QToolButton;
 
 namespace boxprobe {
 
-class Editor;
+class Workspace;
 
 class AnimationTools : public QObject {
   Q_OBJECT
 
  public:
   using Models = std::vector<std::shared_ptr<const Model>>;
-  struct Parts {
-    Document& document;
-    Editor& editor;
-    std::function<const Models&()> models;    ///< on show
-    std::function<void(const Models&)> show;  ///< in their place; the document stays
-    std::function<bool()> busy;               ///< a handle is dragged: nothing is put on show meanwhile
-  };
-  AnimationTools(Parts parts, QMainWindow* window);
+  AnimationTools(Workspace& workspace, QMainWindow* window);
 
+ signals:
+  void failed(const QString& line);
+
+ private:
   /// Other models are on show than before, and the document speaks of them.
   void opened();
   /// What is on show is not the document's until opened() says so.
   void forget();
   /// The document's entries of models changed, by an edit or its undo.
   void modelsChanged();
-  /// A lesson's scene takes the place of the document's for a while.
-  void setBorrowed(bool borrowed);
-
- signals:
-  void failed(const QString& line);
-
- private:
   using Time = std::optional<double>;
   Time wanted() const;
   double length() const;
@@ -58,7 +46,7 @@ class AnimationTools : public QObject {
   void read();
   void update();
 
-  Parts parts_;
+  Workspace& workspace_;
   QToolBar* bar_;
   QSlider* slider_;
   QLabel* text_;

@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/view_commands.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/axis_colors.h"
 #include "app/gui/widgets/pointer_place.h"
 
@@ -19,19 +23,19 @@ constexpr double kArm = 31.0, kKnob = 9.0, kHollowKnob = 6.5;
 
 }  // namespace
 
-AxisGizmo::AxisGizmo(std::function<ViewProjection()> view, QWidget* picture)
-    : QWidget(picture), view_(std::move(view)) {
+AxisGizmo::AxisGizmo(Workspace& workspace) : QWidget(&workspace.viewport()), workspace_(workspace) {
   setObjectName("axisGizmo");
   setFixedSize(kSide, kSide);
   setMouseTracking(true);
   setCursor(Qt::PointingHandCursor);
   setToolTip(tr("Click an axis to look along it"));
-  picture->installEventFilter(this);
+  workspace.viewport().installEventFilter(this);
+  connect(&workspace.scheduler(), &RenderScheduler::rendered, this, QOverload<>::of(&QWidget::update));
   place();
 }
 
 std::array<glm::dvec3, 6> AxisGizmo::directions() const {
-  const ViewProjection view = view_();
+  const ViewProjection view = workspace_.viewport().view();
   const ViewAxes axes = view.axes();
   std::array<glm::dvec3, 6> all;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -98,7 +102,7 @@ void AxisGizmo::paintEvent(QPaintEvent*) {
 void AxisGizmo::mousePressEvent(QMouseEvent* event) {
   event->accept();
   if (event->button() != Qt::LeftButton) return;
-  if (const auto face = at(pointerPlace(*event))) emit chosen(*face);
+  if (const auto face = at(pointerPlace(*event))) workspace_.views().lookAlong(*face);
 }
 
 void AxisGizmo::mouseMoveEvent(QMouseEvent* event) {

@@ -1,10 +1,8 @@
 // The world's axes in a corner of the picture: which way the view is turned, and a click looks along one of them.
-// Called by the main window; knows a view, no scene.
 #pragma once
 
 #include <QWidget>
 #include <array>
-#include <functional>
 #include <optional>
 
 #include "filters/core/geometry/probe_frame.h"
@@ -12,18 +10,17 @@
 
 namespace boxprobe {
 
+class Workspace;
+
 class AxisGizmo : public QWidget {
   Q_OBJECT
 
  public:
-  /// In the top right corner of `picture`.
-  AxisGizmo(std::function<ViewProjection()> view, QWidget* picture);
+  /// In the picture's top right corner.
+  explicit AxisGizmo(Workspace& workspace);
 
   /// Where the knob of that axis is drawn, in the widget's pixels.
   QPointF knob(const BoxFace& face) const;
-
- signals:
-  void chosen(const boxprobe::BoxFace& face);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -37,7 +34,7 @@ class AxisGizmo : public QWidget {
   std::optional<BoxFace> at(const QPointF& place) const;
   void place();
 
-  std::function<ViewProjection()> view_;
+  Workspace& workspace_;
   std::optional<BoxFace> hovered_;
 };
 

@@ -1,6 +1,5 @@
 // Brings the picture up to the document: syncs the renderer, has pictures drawn and captures made in turns of the event
-// loop, and cheaper techniques while something moves. What fails stops the work and is told as one line. Called by the
-// main window; knows no panel, and of what lies over the scene only that it is placed before each picture.
+// loop, and cheaper techniques while something moves. What fails stops the work and is told as one line.
 #pragma once
 
 #include <QObject>

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <variant>
 
+#include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
+
 namespace boxprobe {
 
 namespace {
@@ -19,31 +22,40 @@ Document::Edit turnedTo(double degrees) {
 
 }  // namespace
 
+SkyTurn::SkyTurn(Workspace& workspace, QObject* parent) : QObject(parent), workspace_(workspace) {
+  constexpr double kStep = 5.0;  // degrees a key press
+  connect(workspace.actions().skyLeft, &QAction::triggered, this, [this] { turnBy(kStep); });
+  connect(workspace.actions().skyRight, &QAction::triggered, this, [this] { turnBy(-kStep); });
+  connect(&workspace.viewport(), &Viewport::skyTurned, this, &SkyTurn::drag);
+  connect(&workspace.viewport(), &Viewport::skyTurnEnded, this, &SkyTurn::endDrag);
+}
+
 // A colour, or one above another, looks the same turned.
 bool SkyTurn::hasPicture() {
-  if (std::holds_alternative<SkyImage>(editor_.scene().sky)) return true;
-  emit message(tr("The sky has no picture that could be turned"));
+  if (std::holds_alternative<SkyImage>(workspace_.editor().scene().sky)) return true;
+  emit workspace_.message(tr("The sky has no picture that could be turned"));
   return false;
 }
 
 void SkyTurn::turnBy(double degrees) {
   if (!hasPicture()) return;
-  editor_.commit(tr("Turn the sky"), turnedTo(shownDegrees(editor_.scene().skyRotationDegrees + degrees)));
+  workspace_.editor().commit(tr("Turn the sky"),
+                             turnedTo(shownDegrees(workspace_.editor().scene().skyRotationDegrees + degrees)));
 }
 
 void SkyTurn::drag(double degrees) {
   if (!before_) {
     if (!hasPicture()) return;
-    before_ = editor_.scene().skyRotationDegrees;
+    before_ = workspace_.editor().scene().skyRotationDegrees;
   }
   turned_ = shownDegrees(*before_ + degrees);
-  editor_.preview({this}, tr("Turn the sky"), turnedTo(turned_));
+  workspace_.editor().preview({this}, tr("Turn the sky"), turnedTo(turned_));
 }
 
 void SkyTurn::endDrag() {
   if (!before_) return;
   before_.reset();
-  editor_.commit({this}, tr("Turn the sky"), turnedTo(turned_));
+  workspace_.editor().commit({this}, tr("Turn the sky"), turnedTo(turned_));
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
 // Where the window looks from, by name: at the selection, along an axis, from a probe, from the scene's cameras, which
-// it also stores, renames and deletes. Called by the menu; edits the document through the editor.
+// it also stores, renames and deletes.
 #pragma once
 
 #include <QObject>

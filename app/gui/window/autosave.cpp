@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/gui/view/workspace.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/absolute_path.h"
 #include "filters/io/files/atomic_file.h"
@@ -61,13 +62,16 @@ std::optional<Autosave::Kept> keptIn(const QString& folder) {
 
 }  // namespace
 
-Autosave::Autosave(const Document& document, std::function<bool()> ownSceneShown, std::function<About()> about,
-                   QObject* parent)
-    : QObject(parent), document_(document), ownSceneShown_(std::move(ownSceneShown)), about_(std::move(about)) {
+Autosave::Autosave(Workspace& workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace), document_(workspace.document()) {
   constexpr int kSoonMilliseconds = 2000;  // several edits in a row are one file
   soon_.setSingleShot(true);
   soon_.setInterval(kSoonMilliseconds);
   connect(&soon_, &QTimer::timeout, this, &Autosave::write);
+  connect(this, &Autosave::failed, &workspace, &Workspace::failed);
+  connect(&workspace, &Workspace::anotherComing, this, &Autosave::write);
+  connect(&workspace.editor(), &Editor::settled, this, &Autosave::settled);
+  workspace.changes().add("autosave", {&Changes::file}, [this](const Changes&) { settled(); });  // saved, opened
 }
 
 void Autosave::end() {
@@ -80,7 +84,7 @@ void Autosave::settled() {
 }
 
 bool Autosave::write() {
-  if (!ownSceneShown_()) return true;  // what was kept of the own scene stays
+  if (workspace_.lesson() != nullptr) return true;  // what was kept of the own scene stays
   if (document_.previewing()) {
     settled();
     return true;
@@ -101,11 +105,10 @@ bool Autosave::write() {
       if (!lock_->tryLock(0)) throw InputError(folder.toStdString() + ": cannot be locked");
       folder_ = folder;
     }
-    const About said = about_();
     const Json about = {{"original", absolutePath(document_.path())},
-                        {"originalDigest", said.originalDigest},
-                        {"name", said.name.toStdString()},
-                        {"folder", said.folderShown.toStdString()}};
+                        {"originalDigest", workspace_.digestAsRead()},
+                        {"name", workspace_.displayName().toStdString()},
+                        {"folder", workspace_.folderShown().toStdString()}};
     writeTextAtomically(QDir(folder_).filePath(kAbout).toStdString(), formatJson(about) + "\n");
     writeTextAtomically(QDir(folder_).filePath(kScene).toStdString(),
                         sceneText(document_.scene(), folder_.toStdString()));

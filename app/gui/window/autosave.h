@@ -8,7 +8,6 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +15,8 @@
 #include "filters/core/scene/document.h"
 
 namespace boxprobe {
+
+class Workspace;
 
 class Autosave : public QObject {
   Q_OBJECT
@@ -32,21 +33,12 @@ class Autosave : public QObject {
     QDateTime time;              ///< of the last change kept
   };
 
-  /// What about the scene on show is kept beside it.
-  struct About {
-    QString name, folderShown;
-    std::string originalDigest;
-  };
-  /// `ownSceneShown`: false while a lesson stands in the document's place.
-  Autosave(const Document& document, std::function<bool()> ownSceneShown, std::function<About()> about,
-           QObject* parent);
+  Autosave(Workspace& workspace, QObject* parent);
   ~Autosave() override { end(); }
   /// The process ends as it should: what was kept goes, unless keep() was called; what stays is free for the next one.
   void end();
 
-  /// An edit was made, taken back or saved: a moment later the files follow.
-  void settled();
-  /// The same at once. False: it could not be written.
+  /// The files follow the document at once. False: they could not be written.
   bool write();
   /// Saving failed while the process ends: the files stay.
   void keep() { stays_ = true; }
@@ -60,11 +52,12 @@ class Autosave : public QObject {
   void failed(const QString& line);
 
  private:
+  /// An edit was made, taken back or saved: a moment later the files follow.
+  void settled();
   void remove();
 
+  const Workspace& workspace_;
   const Document& document_;
-  std::function<bool()> ownSceneShown_;
-  std::function<About()> about_;
   QTimer soon_;
   QString folder_;                   ///< made with the first change
   std::unique_ptr<QLockFile> lock_;  ///< held while `folder_` is there

@@ -4,11 +4,13 @@
 #include <QColorDialog>
 #include <QLabel>
 #include <QMainWindow>
+#include <QSignalBlocker>
 #include <QToolBar>
 #include <QToolButton>
+#include <utility>
 
 #include "app/gui/edit/exposure_control.h"
-#include "app/gui/window/menu_bar.h"
+#include "app/gui/view/workspace.h"
 #include "filters/math/shared/display_math.h"
 
 namespace boxprobe {
@@ -20,8 +22,8 @@ constexpr int kControlWidth = 230;
 
 }  // namespace
 
-ExposureTools::ExposureTools(Editor& editor, MenuBar& menu, QMainWindow* window)
-    : QObject(window), editor_(editor), menu_(menu), control_(new ExposureControl(editor)) {
+ExposureTools::ExposureTools(Workspace& workspace, QMainWindow* window)
+    : QObject(window), workspace_(workspace), control_(new ExposureControl(workspace.editor())) {
   auto* bar = window->findChild<QToolBar*>("tools");
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -38,32 +40,47 @@ ExposureTools::ExposureTools(Editor& editor, MenuBar& menu, QMainWindow* window)
   automatic->setText(tr("Auto"));
   automatic->setToolTip(tr("Sets the exposure that suits the picture as it is now; Undo takes it back"));
   bar->addWidget(automatic);
-  connect(automatic, &QToolButton::clicked, this, &ExposureTools::automaticWanted);
-  connect(&menu, &MenuBar::exposeRequested, this, &ExposureTools::automaticWanted);
-  connect(&menu, &MenuBar::toneChosen, this, [this](int tone) {
-    editor_.commit(tr("Set tone mapping"), [tone](Scene& scene) { scene.tone = static_cast<Tone>(tone); });
+  connect(automatic, &QToolButton::clicked, workspace.actions().expose, &QAction::trigger);
+  observe(window);
+}
+
+void ExposureTools::observe(QWidget* window) {
+  const Actions& actions = workspace_.actions();
+  Editor* editor = &workspace_.editor();
+  connect(actions.brighter, &QAction::triggered, control_, [this] { control_->step(kStep); });
+  connect(actions.darker, &QAction::triggered, control_, [this] { control_->step(-kStep); });
+  connect(actions.tones, &QActionGroup::triggered, editor, [editor](const QAction* tone) {
+    editor->commit(tr("Set tone mapping"),
+                   [tone](Scene& scene) { scene.tone = static_cast<Tone>(tone->data().toInt()); });
   });
-  connect(&menu, &MenuBar::backgroundChosen, this, [this, window](int chosen) { setBackground(chosen, window); });
-  connect(&menu, &MenuBar::groundShadowSwitched, this, [this](bool on) {
-    editor_.commit(tr("Switch ground shadow"), [on](Scene& scene) { scene.groundShadow = on; });
+  connect(actions.backgrounds, &QActionGroup::triggered, this,
+          [this, window](const QAction* chosen) { setBackground(chosen->data().toInt(), window); });
+  connect(actions.groundShadow, &QAction::toggled, editor, [editor](bool on) {
+    editor->commit(tr("Switch ground shadow"), [on](Scene& scene) { scene.groundShadow = on; });
   });
-  connect(&menu, &MenuBar::ambientOcclusionSwitched, this, [this](bool on) {
-    editor_.commit(tr("Switch ambient occlusion"), [on](Scene& scene) { scene.ambientOcclusion = on; });
+  connect(actions.ambientOcclusion, &QAction::toggled, editor, [editor](bool on) {
+    editor->commit(tr("Switch ambient occlusion"), [on](Scene& scene) { scene.ambientOcclusion = on; });
   });
-  connect(&menu, &MenuBar::brighterRequested, control_, [this] { control_->step(kStep); });
-  connect(&menu, &MenuBar::darkerRequested, control_, [this] { control_->step(-kStep); });
+  workspace_.changes().add("exposure in the tool bar", {&Changes::exposure}, [this](const Changes&) { update(); });
 }
 
 void ExposureTools::update() {
   control_->update();
-  const Scene& scene = editor_.scene();
-  menu_.showTone(static_cast<int>(scene.tone));
-  menu_.showSurroundings(static_cast<int>(scene.background), scene.groundShadow, scene.ambientOcclusion);
+  const Actions& actions = workspace_.actions();
+  const Scene& scene = workspace_.editor().scene();
+  showChoice(actions.tones, static_cast<int>(scene.tone));
+  showChoice(actions.backgrounds, static_cast<int>(scene.background));
+  // Without telling anybody: it is the document that they follow.
+  for (const auto& [action, on] : {std::pair(actions.groundShadow, scene.groundShadow),
+                                   std::pair(actions.ambientOcclusion, scene.ambientOcclusion)}) {
+    const QSignalBlocker quiet(action);
+    action->setChecked(on);
+  }
 }
 
 void ExposureTools::setBackground(int chosen, QWidget* over) {
   const auto background = static_cast<Background>(chosen);
-  glm::vec3 color = editor_.scene().backgroundColor;
+  glm::vec3 color = workspace_.editor().scene().backgroundColor;
   if (background == Background::Color) {
     const auto bytes = displayBytes(color, 1.0);
     const QColor picked = QColorDialog::getColor(QColor(bytes[0], bytes[1], bytes[2]), over, tr("Background"));
@@ -71,7 +88,7 @@ void ExposureTools::setBackground(int chosen, QWidget* over) {
     color = shading::srgbDecoded(glm::vec3(static_cast<float>(picked.redF()), static_cast<float>(picked.greenF()),
                                            static_cast<float>(picked.blueF())));
   }
-  editor_.commit(tr("Set background"), [&](Scene& scene) {
+  workspace_.editor().commit(tr("Set background"), [&](Scene& scene) {
     scene.background = background;
     scene.backgroundColor = color;
   });

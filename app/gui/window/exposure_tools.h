@@ -1,36 +1,30 @@
-// Exposure at hand beside the picture: in the tool bar, and by menu and keys. Called by the main window; what it edits
-// goes through the control's editor.
+// Exposure, tone mapping and background at hand beside the picture: in the tool bar, and by menu and keys.
 #pragma once
 
 #include <QObject>
 
-#include "app/gui/edit/editor.h"
-
 class QMainWindow;
+class QWidget;
 
 namespace boxprobe {
 
 class ExposureControl;
-class MenuBar;
+class Workspace;
 
 class ExposureTools : public QObject {
   Q_OBJECT
 
  public:
   /// Adds to the window's tool bar.
-  ExposureTools(Editor& editor, MenuBar& menu, QMainWindow* window);
-  /// The document changed.
-  void update();
-
- signals:
-  /// The picture is to be measured.
-  void automaticWanted();
+  ExposureTools(Workspace& workspace, QMainWindow* window);
 
  private:
+  void observe(QWidget* window);
+  /// The document changed.
+  void update();
   void setBackground(int chosen, QWidget* over);
 
-  Editor& editor_;
-  MenuBar& menu_;
+  Workspace& workspace_;
   ExposureControl* control_;
 };
 

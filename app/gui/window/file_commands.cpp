@@ -1,6 +1,7 @@
 // See file_commands.h.
 #include "app/gui/window/file_commands.h"
 
+#include <QAction>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -11,12 +12,17 @@
 #include <exception>
 #include <utility>
 
-#include "app/gui/edit/editor.h"
 #include "app/gui/edit/work_beside.h"
+#include "app/gui/view/motion_preview.h"
+#include "app/gui/view/picture_export.h"
+#include "app/gui/view/picture_work.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/recent_files.h"
 #include "app/gui/widgets/window_words.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/scene/lesson.h"
 #include "filters/core/scene/scene_fields.h"
 #include "filters/io/cube/sky_picture.h"
 #include "filters/io/files/atomic_file.h"
@@ -24,6 +30,7 @@
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/import/model_reader.h"
 #include "filters/vtk/scene/object_memory.h"
+#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -43,36 +50,66 @@ void requireDrawable(const LoadedScene& loaded) {
 
 }  // namespace
 
-FileCommands::FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window)
-    : QObject(window), document_(document), editor_(editor), hooks_(std::move(hooks)), window_(window) {
+FileCommands::FileCommands(Workspace& workspace, QWidget* window)
+    : QObject(window),
+      workspace_(workspace),
+      document_(workspace.document()),
+      editor_(workspace.editor()),
+      window_(window) {
   constexpr int kSettleMilliseconds = 400;
   settle_.setSingleShot(true);
   settle_.setInterval(kSettleMilliseconds);
   connect(&watcher_, &QFileSystemWatcher::fileChanged, &settle_, QOverload<>::of(&QTimer::start));
   connect(&settle_, &QTimer::timeout, this, &FileCommands::changedOnDisk);
+  connect(this, &FileCommands::message, &workspace, &Workspace::message);
+  connect(&workspace, &Workspace::opened, this, &FileCommands::offerVariants);
+  connect(&workspace, &Workspace::filed, this, &FileCommands::offerRecent);
+  const Actions& actions = workspace.actions();
+  connect(actions.open, &QAction::triggered, this, &FileCommands::open);
+  connect(actions.reload, &QAction::triggered, this, &FileCommands::reload);
+  connect(actions.sky, &QAction::triggered, this, &FileCommands::chooseSky);
+  connect(actions.save, &QAction::triggered, this, &FileCommands::save);
+  connect(actions.saveAs, &QAction::triggered, this, &FileCommands::saveAs);
+  connect(actions.exportImage, &QAction::triggered, this, &FileCommands::exportImage);
+  offerRecent();
 }
 
-QString FileCommands::displayName() const {
-  if (const QString borrowed = hooks_.borrowedName(); !borrowed.isEmpty()) return borrowed;
-  if (!document_.path().empty()) return QFileInfo(QString::fromStdString(document_.path())).fileName();
-  const auto& models = document_.scene().models;
-  if (models.empty()) return tr("no scene");
-  return tr("%1 (not saved)").arg(QFileInfo(QString::fromStdString(models.front().file)).fileName());
+// What is chosen is done later: it makes the menu anew.
+void FileCommands::offerRecent() {
+  QMenu* menu = workspace_.actions().recent;
+  menu->clear();
+  const QStringList paths = recentFiles();
+  for (int i = 0; i < paths.size(); ++i) {
+    const QString path = paths[i];
+    QAction* action = menu->addAction(QString("&%1  %2").arg(i + 1).arg(QString(path).replace('&', "&&")));
+    connect(
+        action, &QAction::triggered, this, [this, path] { openPath(path); }, Qt::QueuedConnection);
+  }
+  menu->setEnabled(!paths.isEmpty());
 }
 
-QString FileCommands::folderShown() const {
-  return hooks_.borrowedName().isEmpty() ? QDir::toNativeSeparators(folder()) : QString();
+void FileCommands::offerVariants(const LoadedScene& loaded) {
+  QMenu* menu = workspace_.actions().variants;
+  menu->clear();
+  const auto variants = loaded.models.empty() ? std::vector<std::string>() : loaded.models.front()->variants;
+  menu->setEnabled(!variants.empty());
+  if (variants.empty()) return;
+  const std::string shown = loaded.scene.models.empty() ? std::string() : loaded.scene.models.front().variant;
+  const auto offer = [&](const QString& text, const std::string& name) {
+    QAction* action = menu->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(name == shown);
+    connect(
+        action, &QAction::triggered, this, [this, name] { openVariant(QString::fromStdString(name)); },
+        Qt::QueuedConnection);
+  };
+  offer(tr("The file's own"), {});
+  for (const std::string& name : variants) offer(QString::fromStdString(name).replace('&', "&&"), name);
 }
 
 QString FileCommands::nameInFolder() const {
-  const QString folder = folderShown();
-  return folder.isEmpty() ? displayName() : tr("%1 in %2").arg(displayName(), folder);
-}
-
-QString FileCommands::folder() const {
-  if (!document_.path().empty()) return QFileInfo(QString::fromStdString(document_.path())).absolutePath();
-  const auto& models = document_.scene().models;
-  return models.empty() ? QString() : QFileInfo(QString::fromStdString(models.front().file)).absolutePath();
+  const QString folder = workspace_.folderShown(), name = workspace_.displayName();
+  return folder.isEmpty() ? name : tr("%1 in %2").arg(name, folder);
 }
 
 void FileCommands::showError(const QString& title, const QString& line) {
@@ -80,7 +117,7 @@ void FileCommands::showError(const QString& title, const QString& line) {
 }
 
 bool FileCommands::confirmLeaving() {
-  hooks_.showOwnScene();
+  emit workspace_.ownSceneWanted();
   editor_.finish();
   if (!document_.modified()) return true;
   const auto answer = askUser(window_, tr("Unsaved changes"),
@@ -93,7 +130,7 @@ bool FileCommands::confirmLeaving() {
 }
 
 void FileCommands::open() {
-  const QString path = QFileDialog::getOpenFileName(window_, tr("Open"), folder(),
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Open"), workspace_.folder(),
                                                     tr("Scenes and models (*.boxprobe.json *.json %1);;Scenes "
                                                        "(*.boxprobe.json *.json);;Models (%1)")
                                                         .arg(QString::fromStdString(modelFilePatterns())));
@@ -101,7 +138,7 @@ void FileCommands::open() {
 }
 
 void FileCommands::openModel() {
-  const QString path = QFileDialog::getOpenFileName(window_, tr("New from a model"), folder(),
+  const QString path = QFileDialog::getOpenFileName(window_, tr("New from a model"), workspace_.folder(),
                                                     tr("Models (%1)").arg(QString::fromStdString(modelFilePatterns())));
   if (!path.isEmpty()) openPath(path);
 }
@@ -134,7 +171,7 @@ bool FileCommands::busy() {
 
 LoadedScene FileCommands::load(const QString& path, const std::vector<std::string>& assignments) {
   FitWishes wishes;
-  wishes.aspect = hooks_.pictureAspect();
+  wishes.aspect = workspace_.aspect();
   LoadedScene loaded;
   workBeside(window_, tr("Loading %1").arg(QFileInfo(path).fileName()), true, [&](const BesideProgress& progress) {
     loaded = loadScene(path.toStdString(), assignments, progress, wishes);
@@ -154,7 +191,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
     const std::string digest = loaded.fileDigest;
     const QString decided = loaded.fit ? QString::fromStdString(loaded.fit->decided) : QString();
-    hooks_.show(std::move(loaded));
+    workspace_.showScene(std::move(loaded));
     assignments_ = assignments;
     remember(path, digest);
     emit message(warning.isEmpty() ? (decided.isEmpty() ? tr("Opened %1").arg(path) : decided)
@@ -168,7 +205,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
   } catch (const std::exception& error) {
     if (!QFileInfo::exists(path)) {
       forgetFile(path);
-      emit recentChanged(recentFiles());
+      offerRecent();
     }
     showError(tr("Cannot open"), QString::fromStdString(messageOf(error)));
     return false;
@@ -189,8 +226,8 @@ void FileCommands::openSky(const QString& path) {
 }
 
 void FileCommands::chooseSky() {
-  const QString path =
-      QFileDialog::getOpenFileName(window_, tr("Sky from a picture"), folder(), tr("Pictures of a sky (*.hdr *.exr)"));
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Sky from a picture"), workspace_.folder(),
+                                                    tr("Pictures of a sky (*.hdr *.exr)"));
   if (!path.isEmpty()) openSky(path);
 }
 
@@ -216,19 +253,20 @@ void FileCommands::watchFiles() {
 
 void FileCommands::changedOnDisk() {
   // A lesson is on show, something is being dragged or opened: later.
-  if (workBesideRuns() || !hooks_.borrowedName().isEmpty() || document_.previewing()) return settle_.start();
+  if (workBesideRuns() || workspace_.lesson() != nullptr || document_.previewing()) return settle_.start();
   QStringList files = {QString::fromStdString(document_.path())};
   for (const ModelFile& model : document_.scene().models) files += QString::fromStdString(model.file);
   if (newest(files) <= known_) return watchFiles();
   // What could be redone are changes, too.
   if (!document_.modified() && !document_.canUndo() && !document_.canRedo()) return reload();
   watchFiles();
-  emit message(tr("%1 changed on disk. Your changes stay; File > Reload takes the file instead").arg(displayName()));
+  emit message(
+      tr("%1 changed on disk. Your changes stay; File > Reload takes the file instead").arg(workspace_.displayName()));
 }
 
 void FileCommands::reload() {
   if (busy()) return;
-  if (!hooks_.borrowedName().isEmpty()) return emit message(tr("A lesson is on show; leave it to read the file again"));
+  if (workspace_.lesson() != nullptr) return emit message(tr("A lesson is on show; leave it to read the file again"));
   const auto& models = document_.scene().models;
   const std::string path = document_.path().empty() && !models.empty() ? models.front().file : document_.path();
   if (path.empty()) return;
@@ -241,8 +279,8 @@ void FileCommands::reload() {
   }
   try {
     LoadedScene loaded = load(QString::fromStdString(path), assignments_);
-    digestAsRead_ = loaded.fileDigest;
-    hooks_.showAgain(std::move(loaded));
+    workspace_.setDigestAsRead(loaded.fileDigest);
+    showAgain(std::move(loaded));
     emit message(tr("Read %1 again").arg(QString::fromStdString(path)));
     return watchFiles();
   } catch (const LoadCancelled&) {
@@ -254,10 +292,20 @@ void FileCommands::reload() {
 }
 
 void FileCommands::remember(const QString& path, const std::string& digest) {
-  digestAsRead_ = digest;
+  workspace_.setDigestAsRead(digest);
   rememberFile(path);
   watchFiles();
-  emit recentChanged(recentFiles());
+  emit workspace_.filed();
+}
+
+void FileCommands::showAgain(LoadedScene loaded) {
+  const Camera view = workspace_.renderer().currentCamera();
+  const Probe* selected = editor_.probe();
+  const std::string name = selected != nullptr ? selected->name : std::string();
+  workspace_.showScene(std::move(loaded));
+  if (const auto index = findProbe(document_.scene(), name)) document_.selectProbe(index);
+  workspace_.renderer().applyCamera(view);
+  emit workspace_.viewport().cameraMoved();
 }
 
 bool FileCommands::save() {
@@ -270,7 +318,7 @@ bool FileCommands::saveAs() {
                       : models.empty()
                           ? QString()
                           : QFileInfo(QString::fromStdString(models.front().file)).completeBaseName() + kSceneSuffix;
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save as"), QDir(folder()).filePath(own),
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save as"), QDir(workspace_.folder()).filePath(own),
                                               tr("Scenes (*%1)").arg(kSceneSuffix));
   if (path.isEmpty()) return false;
   if (!path.endsWith(".json", Qt::CaseInsensitive)) {
@@ -283,18 +331,29 @@ bool FileCommands::saveAs() {
 // Whatever stands there and is not what was read or saved is somebody else's.
 bool FileCommands::mayReplace(const QString& path) {
   const std::string digest = fileDigest(path.toStdString());
-  if (digest == digestAsRead_ || !QFileInfo::exists(path)) return true;
+  if (digest == workspace_.digestAsRead() || !QFileInfo::exists(path)) return true;
   const QString question =
-      digestAsRead_.empty() ? tr("%1 already exists, and is not the file that these changes were made to. Replace it?")
-                            : tr("%1 changed on disk. Replace it by yours?");
+      workspace_.digestAsRead().empty()
+          ? tr("%1 already exists, and is not the file that these changes were made to. Replace it?")
+          : tr("%1 changed on disk. Replace it by yours?");
   return askUser(window_, tr("Save"), question.arg(path)) == QMessageBox::Yes;
+}
+
+bool FileCommands::mayWrite(const QString& path) const {
+  const Lesson* lesson = workspace_.lesson();
+  const QString wanted = QFileInfo(path).canonicalFilePath();
+  if (lesson == nullptr || wanted.isEmpty()) return true;
+  const auto isIt = [&](const std::string& scene) {
+    return QFileInfo(QString::fromStdString(scene)).canonicalFilePath() == wanted;
+  };
+  return !isIt(lesson->scene) && std::none_of(lesson->steps.begin(), lesson->steps.end(),
+                                              [&](const LessonStep& step) { return isIt(step.scene); });
 }
 
 bool FileCommands::saveTo(const QString& path) {
   editor_.finish();
   try {
-    if (!hooks_.mayWrite(path))
-      throw InputError(path.toStdString() + ": the lesson stands on this file; choose another name");
+    if (!mayWrite(path)) throw InputError(path.toStdString() + ": the lesson stands on this file; choose another name");
     if (path.toStdString() == document_.path() && !mayReplace(path)) return false;
     saveSceneFile(document_.scene(), path.toStdString());
     document_.markSaved(path.toStdString());
@@ -308,7 +367,7 @@ bool FileCommands::saveTo(const QString& path) {
 }
 
 std::optional<FileCommands::Recovery> FileCommands::recovery() const {
-  if (!document_.modified() || !hooks_.borrowedName().isEmpty()) return std::nullopt;
+  if (!document_.modified() || workspace_.lesson() != nullptr) return std::nullopt;
   const auto& models = document_.scene().models;
   const std::string& origin = document_.path().empty() && !models.empty() ? models.front().file : document_.path();
   const QFileInfo file(QString::fromStdString(origin));
@@ -333,9 +392,9 @@ bool FileCommands::recover(const Autosave::Kept& kept) {
     if (!confirmLeaving()) return false;
     loaded.path = kept.original.toStdString();
     loaded.unsaved = true;
-    hooks_.show(std::move(loaded));
+    workspace_.showScene(std::move(loaded));
     assignments_.clear();
-    digestAsRead_ = kept.originalDigest;
+    workspace_.setDigestAsRead(kept.originalDigest);
     watchFiles();
     emit message(tr("Recovered %1; save it to keep it").arg(nameInFolder()));
     return true;
@@ -346,7 +405,7 @@ bool FileCommands::recover(const Autosave::Kept& kept) {
 }
 
 std::string FileCommands::saveRecovery() {
-  hooks_.showOwnScene();
+  emit workspace_.ownSceneWanted();
   editor_.finish();
   const auto unsaved = recovery();
   if (!unsaved) return {};
@@ -355,7 +414,7 @@ std::string FileCommands::saveRecovery() {
 }
 
 void FileCommands::exportImage() {
-  QString path = QFileDialog::getSaveFileName(window_, tr("Export image"), folder(),
+  QString path = QFileDialog::getSaveFileName(window_, tr("Export image"), workspace_.folder(),
                                               tr("Display colours (*.png);;Linear light (*.exr)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) {
@@ -363,7 +422,10 @@ void FileCommands::exportImage() {
     if (!mayOverwrite(window_, tr("Export image"), path)) return;
   }
   try {
-    hooks_.exportTo(path.toStdString());
+    workspace_.picture().motion().rest();
+    emit workspace_.documentSceneWanted();
+    exportPicture(path.toStdString(), workspace_.renderer(), workspace_.viewport(), workspace_.shownHandles());
+    workspace_.requestPicture();
     emit message(tr("Wrote %1").arg(path));
   } catch (const std::exception& error) {
     showError(tr("Cannot export"), QString::fromStdString(messageOf(error)));

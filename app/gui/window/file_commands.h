@@ -1,5 +1,5 @@
 // Open, save, save as and export from the window: the dialogs, the question about unsaved changes, and errors as one
-// line that leaves the open scene as it is. Called by the menu, by dropped files and by the closing window.
+// line that leaves the open scene as it is.
 #pragma once
 
 #include <QDateTime>
@@ -7,7 +7,6 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -21,23 +20,13 @@ class QWidget;
 namespace boxprobe {
 
 class Editor;
+class Workspace;
 
 class FileCommands : public QObject {
   Q_OBJECT
 
  public:
-  struct Hooks {
-    std::function<void(LoadedScene)> show;                  ///< makes a scene that was read the one on show
-    std::function<void(const std::string& path)> exportTo;  ///< writes the picture as PNG or EXR
-    /// What is shown for a while in place of the user's own scene goes away.
-    std::function<void()> showOwnScene;
-    std::function<QString()> borrowedName;              ///< of such a scene; empty: the own one is shown
-    std::function<bool(const QString& path)> mayWrite;  ///< false for a file such a scene stands on
-    std::function<double()> pictureAspect;              ///< width over height
-    std::function<void(LoadedScene)> showAgain;         ///< the same scene, newly read: the view stays
-  };
-
-  FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window);
+  FileCommands(Workspace& workspace, QWidget* window);
 
   void open();
   /// A bare model, which becomes a new scene.
@@ -62,6 +51,8 @@ class FileCommands : public QObject {
   };
   /// What saveRecovery() would write now; nothing if nothing is unsaved, or a lesson is shown.
   std::optional<Recovery> recovery() const;
+  /// False for a file that the open lesson stands on.
+  bool mayWrite(const QString& path) const;
   /// True if nothing is lost by leaving the scene: saved, or the user said so.
   bool confirmLeaving();
 
@@ -76,21 +67,19 @@ class FileCommands : public QObject {
   static QString droppedSky(const QMimeData* data);
   /// The first file of a drop that can be opened; empty if none.
   static QString droppedFile(const QMimeData* data);
-  /// Name of what is open, for the title: the file's, or the model's of a scene never saved.
-  QString displayName() const;
-  /// Of the scene's file, or of the model of a scene never saved; empty where neither is, or a lesson is on show.
-  QString folderShown() const;
-  /// fileDigest() of the scene's file as it was read or saved.
-  const std::string& digestAsRead() const { return digestAsRead_; }
 
   /// `path`, opened or saved, leads the list of recent files; the scene's file had this fileDigest().
   void remember(const QString& path, const std::string& digest);
 
  signals:
   void message(const QString& text);
-  void recentChanged(const QStringList& paths);
 
  private:
+  void offerRecent();
+  /// Of the first model.
+  void offerVariants(const LoadedScene& loaded);
+  /// The same scene, newly read: the view stays.
+  void showAgain(LoadedScene loaded);
   void watchFiles();
   void changedOnDisk();
   bool openWith(const QString& path, const std::vector<std::string>& assignments);
@@ -99,19 +88,17 @@ class FileCommands : public QObject {
   bool busy();
   LoadedScene load(const QString& path, const std::vector<std::string>& assignments);
   bool saveTo(const QString& path);
-  QString folder() const;
   QString nameInFolder() const;
   bool mayReplace(const QString& path);
   void showError(const QString& title, const QString& line);
 
+  Workspace& workspace_;
   Document& document_;
   Editor& editor_;
-  Hooks hooks_;
   QWidget* window_;
   QFileSystemWatcher watcher_;
   QTimer settle_;                         ///< a file is written in several steps
   QDateTime known_;                       ///< of the watched files as they were read or saved
-  std::string digestAsRead_;              ///< of the document's file; empty: there was none, or it is not known
   std::vector<std::string> assignments_;  ///< with which the scene on show was opened
 };
 

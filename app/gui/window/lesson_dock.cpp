@@ -9,16 +9,17 @@
 
 #include "app/gui/lessons/lesson_panel.h"
 #include "app/gui/lessons/lesson_view.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/window/projector.h"
 
 namespace boxprobe {
 
-LessonDock::LessonDock(LessonView& lessons, QMainWindow* window)
+LessonDock::LessonDock(Workspace& workspace, LessonView& lessons, QMainWindow* window)
     : QObject(window),
       lessons_(lessons),
       window_(window),
       dock_(new QDockWidget(QMainWindow::tr("Lessons"), window)),
-      projector_(new Projector(window, dock_, lessons.panel())) {
+      projector_(new Projector(workspace, window, dock_, lessons.panel())) {
   constexpr int kLessonWidth = 400;
   dock_->setObjectName("lessons");
   dock_->setWidget(lessons.panel());
@@ -42,11 +43,12 @@ LessonDock::LessonDock(LessonView& lessons, QMainWindow* window)
       window->resizeDocks({outliner}, {outlinerWidth_}, Qt::Horizontal);
     }
   });
-  connect(&lessons, &LessonView::openChanged, projector_, &Projector::setLessonOpen);
+  connect(workspace.actions().lessons, &QAction::triggered, this, &LessonDock::toggle);
 }
 
-bool LessonDock::close() {
-  return dock_->isVisible() && !dock_->visibleRegion().isEmpty() && dock_->close();
+void LessonDock::toggle() {
+  const bool seen = dock_->isVisible() && !dock_->visibleRegion().isEmpty();
+  if (lessons_.panel()->stepShown() || !seen || !dock_->close()) lessons_.showList();
 }
 
 // A window that is too narrow for text, picture and panels side by side would grow, perhaps beyond the screen: the text

@@ -1,5 +1,4 @@
-// The place of the lessons in the window: the dock with their text, and the projector's view of it. Called by the main
-// window.
+// The place of the lessons in the window: the dock with their text, and the projector's view of it.
 #pragma once
 
 #include <QObject>
@@ -11,21 +10,22 @@ namespace boxprobe {
 
 class LessonView;
 class Projector;
+class Workspace;
 
 class LessonDock : public QObject {
   Q_OBJECT
 
  public:
   /// Hidden at first, at the window's left.
-  LessonDock(LessonView& lessons, QMainWindow* window);
-  /// Away with it, as its own button does; false where it is not seen.
-  bool close();
+  LessonDock(Workspace& workspace, LessonView& lessons, QMainWindow* window);
   Projector& projector() { return *projector_; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// The list of lessons: from a lesson's page, or shown, or away with it.
+  void toggle();
   void makeRoom();
 
   LessonView& lessons_;

@@ -3,10 +3,12 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QSignalBlocker>
 #include <filesystem>
 #include <iterator>
 #include <utility>
 
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/session/glb_export.h"
 #include "app/session/program_name.h"
@@ -17,8 +19,12 @@
 
 namespace boxprobe {
 
-LiveLink::LiveLink(const Document& document, SceneRenderer& renderer, Hooks hooks, QWidget* window)
-    : QObject(window), document_(document), renderer_(renderer), hooks_(std::move(hooks)), window_(window) {
+LiveLink::LiveLink(Workspace& workspace, QWidget* window)
+    : QObject(window),
+      workspace_(workspace),
+      document_(workspace.document()),
+      renderer_(workspace.renderer()),
+      window_(window) {
   constexpr int kSoonMilliseconds = 150;  // several edits in a row are one file
   constexpr int kTurnMilliseconds = 20;
   soon_.setSingleShot(true);
@@ -27,6 +33,16 @@ LiveLink::LiveLink(const Document& document, SceneRenderer& renderer, Hooks hook
   connect(&soon_, &QTimer::timeout, this, &LiveLink::write);
   connect(&turn_, &QTimer::timeout, this, &LiveLink::readOne);
   connect(&work_, &BackgroundWork::ended, this, &LiveLink::written);
+  workspace.listenTo(this);
+  connect(workspace.actions().liveLink, &QAction::toggled, this, &LiveLink::ask);
+  connect(&workspace.editor(), &Editor::settled, this, &LiveLink::changed);
+  workspace.changes().add("live link", {&Changes::file, &Changes::models}, [this](const Changes&) { changed(); });
+}
+
+void LiveLink::show(bool on) {
+  QAction* action = workspace_.actions().liveLink;
+  const QSignalBlocker quiet(action);
+  action->setChecked(on);
 }
 
 void LiveLink::ask(bool on) {
@@ -34,10 +50,10 @@ void LiveLink::ask(bool on) {
   const QString scene = QString::fromStdString(document_.path());
   const QString proposed = scene.isEmpty() ? QString("live.glb") : QFileInfo(scene).path() + "/live.glb";
   QString path = QFileDialog::getSaveFileName(window_, tr("Live link to a file"), proposed, tr("glTF (*.glb)"));
-  if (path.isEmpty()) return emit switched(false);
+  if (path.isEmpty()) return show(false);
   if (QFileInfo(path).suffix().isEmpty()) {
     path += ".glb";
-    if (!mayOverwrite(window_, tr("Live link to a file"), path)) return emit switched(false);
+    if (!mayOverwrite(window_, tr("Live link to a file"), path)) return show(false);
   }
   start(path);
 }
@@ -47,14 +63,14 @@ void LiveLink::start(const QString& path) {
     std::error_code ignored;
     if (!std::filesystem::equivalent(model.file, path.toStdString(), ignored)) continue;
     emit failed(tr("%1 is the scene's model; the live link needs a file of its own").arg(path));
-    emit switched(false);
+    show(false);
     return;
   }
   path_ = path;
   told_.clear();
   maps_.clear();
   writtenHere_ = 0;
-  emit switched(true);
+  show(true);
   write();
 }
 
@@ -65,7 +81,7 @@ void LiveLink::stop() {
   emit message(writtenHere_ == 1 ? tr("The live link to %1 ended after 1 revision").arg(path_)
                                  : tr("The live link to %1 ended after %2 revisions").arg(path_).arg(writtenHere_));
   path_.clear();
-  emit switched(false);
+  show(false);
 }
 
 void LiveLink::changed() {
@@ -73,9 +89,9 @@ void LiveLink::changed() {
 }
 
 void LiveLink::write() {
-  if (!running() || !hooks_.ownSceneShown()) return;
+  if (!running() || workspace_.lesson() != nullptr) return;
   if (document_.previewing()) return soon_.start();
-  const auto models = hooks_.models();
+  const Workspace::Models& models = workspace_.models();
   if (models.empty() || document_.scene().models.size() != models.size()) return;
   if (work_.running()) {
     again_ = true;
@@ -116,7 +132,7 @@ void LiveLink::written(bool stopped, const QString& error) {
 }
 
 void LiveLink::readOne() {
-  if (!running() || !hooks_.ownSceneShown()) return turn_.stop();
+  if (!running() || workspace_.lesson() != nullptr) return turn_.stop();
   if (renderer_.workPending() || document_.previewing()) return;
   for (auto kept = maps_.begin(); kept != maps_.end();) {
     kept = findProbe(document_.scene(), kept->first) ? std::next(kept) : maps_.erase(kept);

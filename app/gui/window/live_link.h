@@ -1,12 +1,11 @@
 // File, Live link: the scene as it is edited, saved or not, in a .glb that scripts in other programs follow
 // (data/engines). Written in a thread of its own a moment after each edit: boxes and lamps at once, maps as soon as
-// they are captured. Called by the menu.
+// they are captured.
 #pragma once
 
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,16 +21,13 @@ class QWidget;
 namespace boxprobe {
 
 class SceneRenderer;
+class Workspace;
 
 class LiveLink : public QObject {
   Q_OBJECT
 
  public:
-  struct Hooks {
-    std::function<std::vector<std::shared_ptr<const Model>>()> models;  ///< on show, in the scene's order
-    std::function<bool()> ownSceneShown;                                ///< false while a lesson is
-  };
-  LiveLink(const Document& document, SceneRenderer& renderer, Hooks hooks, QWidget* window);
+  LiveLink(Workspace& workspace, QWidget* window);
 
   /// True: asks for the file and starts. False: stops.
   void ask(bool on);
@@ -42,25 +38,24 @@ class LiveLink : public QObject {
   /// How often the file has been written.
   int revision() const { return revision_; }
 
-  /// An edit was made, taken back, or another scene opened: the file follows.
-  void changed();
-
  signals:
   void message(const QString& text);
   void failed(const QString& text);
-  /// Whether it runs, for the menu.
-  void switched(bool on);
 
  private:
   using Maps = std::map<std::string, std::shared_ptr<const BakedMaps>>;
+  /// An edit was made, taken back, or another scene opened: the file follows.
+  void changed();
+  /// Whether it runs, in the menu.
+  void show(bool on);
   void write();
   void written(bool stopped, const QString& error);
   /// One turn of the event loop: a level filtered or a map read back, once captures are done.
   void readOne();
 
+  Workspace& workspace_;
   const Document& document_;
   SceneRenderer& renderer_;
-  Hooks hooks_;
   QWidget* window_;
   QString path_;
   QTimer soon_, turn_;

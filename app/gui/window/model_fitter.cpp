@@ -12,9 +12,12 @@
 #include <glm/vector_relational.hpp>
 #include <utility>
 
-#include "app/gui/edit/editor.h"
 #include "app/gui/edit/work_beside.h"
 #include "app/gui/view/import_bar.h"
+#include "app/gui/view/picture_work.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/view/workspace.h"
 #include "app/session/automatic_exposure.h"
 #include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
@@ -57,10 +60,16 @@ bool inside(const Box& box, const glm::dvec3& point) {
 
 }  // namespace
 
-ModelFitter::ModelFitter(Parts parts, QMainWindow* window)
-    : QObject(window), parts_(std::move(parts)), bar_(new ImportBar(parts_.picture)) {
+ModelFitter::ModelFitter(Workspace& workspace, QMainWindow* window)
+    : QObject(window), workspace_(workspace), bar_(new ImportBar(&workspace.viewport())) {
   buildMenu(window);
   connect(bar_, &ImportBar::chosen, this, &ModelFitter::readAs);
+  workspace.listenTo(this);
+  connect(&workspace, &Workspace::opened, this, &ModelFitter::opened);
+  connect(&workspace, &Workspace::lessonShown, this, &ModelFitter::setBorrowed);
+  connect(&workspace.scheduler(), &RenderScheduler::rendered, this, &ModelFitter::pictureDrawn);
+  connect(workspace.actions().expose, &QAction::triggered, this, &ModelFitter::exposeAgain);
+  workspace.changes().add("unit", {&Changes::models}, [this](const Changes&) { modelsChanged(); });
   update();
 }
 
@@ -116,16 +125,16 @@ void ModelFitter::opened(const LoadedScene& loaded) {
 }
 
 void ModelFitter::modelsChanged() {
-  const auto& models = parts_.document.scene().models;
+  const auto& models = workspace_.document().scene().models;
   if (!fit_ || borrowed_ || models.empty()) return;
   const bool otherwise = models.front().unit != unit_ || models.front().upAxis != up_;
   unit_ = models.front().unit;
   up_ = models.front().upAxis;
-  if (otherwise) emit cameraFitted();
+  if (otherwise) workspace_.picture().resetCamera();
 }
 
 void ModelFitter::askAgain() {
-  const auto& models = parts_.editor.scene().models;
+  const auto& models = workspace_.editor().scene().models;
   if (!models.empty()) bar_->ask({}, models.front().unit, models.front().upAxis);
 }
 
@@ -133,7 +142,7 @@ void ModelFitter::setBorrowed(bool borrowed) {
   borrowed_ = borrowed;
   // What was asked for in the one scene is not meant for the other.
   if (std::exchange(exposureAsked_, false)) exposureWaits_ = false;
-  if (const auto& models = parts_.document.scene().models; !borrowed && !models.empty()) {
+  if (const auto& models = workspace_.document().scene().models; !borrowed && !models.empty()) {
     unit_ = models.front().unit;
     up_ = models.front().upAxis;
   }
@@ -164,7 +173,7 @@ void ModelFitter::lightBy(std::optional<FitLight> light) {
 }
 
 void ModelFitter::readAs(LengthUnit unit, UpAxis up) {
-  const auto& models = parts_.editor.scene().models;
+  const auto& models = workspace_.editor().scene().models;
   if (models.empty() || (models.front().unit == unit && models.front().upAxis == up)) return;
   refit(tr("Read in %1, %2").arg(unitName(unit), upAxisName(up)), [unit, up](Scene& scene) {
     scene.models.front().unit = unit;
@@ -174,23 +183,24 @@ void ModelFitter::readAs(LengthUnit unit, UpAxis up) {
 
 void ModelFitter::refit(const QString& label, const Document::Edit& first) {
   if (!fit_ || workBesideRuns()) return;
-  wishes_.aspect = parts_.aspect();
+  wishes_.aspect = workspace_.aspect();
   wishes_.studio = studioFile();
   try {
-    Scene scene = parts_.editor.scene();
+    Scene scene = workspace_.editor().scene();
     if (first) first(scene);
     ModelFit fit;
-    const TriangleRays::Models models = parts_.models();
-    workBeside(parts_.picture->window(), tr("Fitting the model"), false,
+    const TriangleRays::Models models = workspace_.models();
+    workBeside(workspace_.viewport().window(), tr("Fitting the model"), false,
                [&, wishes = wishes_](const BesideProgress&) { fit = fitModel(scene, models, wishes); });
     if (fit.lightKnown) scene.exposure = 1.0;
     scene.groundShadow = scene.ambientOcclusion = fit.kind == ModelKind::Object;
-    const std::size_t before = parts_.document.position();
-    parts_.editor.commit(label, [&](Scene& edited) { edited = scene; });
+    const std::size_t before = workspace_.document().position();
+    workspace_.editor().commit(label, [&](Scene& edited) { edited = scene; });
     exposureWaits_ = !fit.lightKnown;
     exposureAsked_ = false;
     refitted_.reset();
-    if (parts_.document.position() != before) refitted_ = Refit{parts_.document.position(), label.toStdString()};
+    if (workspace_.document().position() != before)
+      refitted_ = Refit{workspace_.document().position(), label.toStdString()};
     fit_ = std::move(fit);
   } catch (const std::exception& error) {
     emit failed(QString::fromStdString(messageOf(error)));
@@ -198,55 +208,57 @@ void ModelFitter::refit(const QString& label, const Document::Edit& first) {
   }
   update();
   emit message(QString::fromStdString(fit_->decided));
-  emit cameraFitted();
+  workspace_.picture().resetCamera();
 }
 
 void ModelFitter::exposeAgain() {
   exposureWaits_ = exposureAsked_ = true;
-  emit pictureWanted();
+  workspace_.requestPicture();
 }
 
 void ModelFitter::pictureDrawn() {
-  if (!exposureWaits_ || (borrowed_ && !exposureAsked_) || parts_.renderer.workPending()) return;
+  if (!exposureWaits_ || (borrowed_ && !exposureAsked_) || workspace_.renderer().workPending()) return;
   exposureWaits_ = false;
   QTimer::singleShot(0, this, &ModelFitter::expose);  // not within the frame that was drawn
 }
 
 // The step is made once more beside the document, whose views are then told of the exposure alone.
 void ModelFitter::exposeStep(double exposure) {
-  Scene scene = parts_.document.scene();
+  Scene scene = workspace_.document().scene();
   scene.exposure = exposure;
   Document beside;
-  beside.restore(parts_.document.state());
+  beside.restore(workspace_.document().state());
   const std::string label = beside.undoLabel();
   beside.undo();
   beside.commit(label, [&scene](Scene& edited) { edited = scene; });
-  parts_.document.restore(beside.state());
-  emit parts_.editor.settled();
+  workspace_.document().restore(beside.state());
+  emit workspace_.editor().settled();
 }
 
 void ModelFitter::expose() {
   const bool asked = std::exchange(exposureAsked_, false);
-  if ((borrowed_ && !asked) || parts_.document.scene().models.empty()) return;
-  const bool within =
-      fit_ && !borrowed_ ? fit_->within : inside(parts_.renderer.bounds(), parts_.renderer.currentCamera().position);
-  const double exposure = measuredExposure(parts_.renderer, within, parts_.aspect(), parts_.editor.scene().tone);
-  const bool asOpened =
-      !asked && !parts_.document.canUndo() && !parts_.document.canRedo() && !parts_.document.previewing();
+  if ((borrowed_ && !asked) || workspace_.document().scene().models.empty()) return;
+  const bool within = fit_ && !borrowed_
+                          ? fit_->within
+                          : inside(workspace_.renderer().bounds(), workspace_.renderer().currentCamera().position);
+  const double exposure =
+      measuredExposure(workspace_.renderer(), within, workspace_.aspect(), workspace_.editor().scene().tone);
+  const bool asOpened = !asked && !workspace_.document().canUndo() && !workspace_.document().canRedo() &&
+                        !workspace_.document().previewing();
   if (asOpened) {
     // Part of opening it: nothing to undo or to save.
-    Scene scene = parts_.document.scene();
+    Scene scene = workspace_.document().scene();
     scene.exposure = exposure;
-    const std::optional<std::size_t> selected = parts_.document.selectedProbe();
+    const std::optional<std::size_t> selected = workspace_.document().selectedProbe();
     const std::optional<std::string> name = selected ? std::optional(scene.probes[*selected].name) : std::nullopt;
-    parts_.document.restore(Document::State::opened(std::move(scene), parts_.document.path(), name));
-  } else if (!asked && parts_.document.canRedo()) {
+    workspace_.document().restore(Document::State::opened(std::move(scene), workspace_.document().path(), name));
+  } else if (!asked && workspace_.document().canRedo()) {
     return;  // what it was for was undone
-  } else if (!asked && refitted_ && refitted_->position == parts_.document.position() &&
-             refitted_->label == parts_.document.undoLabel() && !parts_.document.previewing()) {
+  } else if (!asked && refitted_ && refitted_->position == workspace_.document().position() &&
+             refitted_->label == workspace_.document().undoLabel() && !workspace_.document().previewing()) {
     exposeStep(exposure);
   } else {
-    parts_.editor.commit(tr("Automatic exposure"), [exposure](Scene& scene) { scene.exposure = exposure; });
+    workspace_.editor().commit(tr("Automatic exposure"), [exposure](Scene& scene) { scene.exposure = exposure; });
   }
   const QString decided = asked || !fit_ ? tr("As the picture asks") : QString::fromStdString(fit_->decided);
   emit message(tr("%1; exposure %2").arg(decided).arg(exposure));

@@ -1,10 +1,9 @@
 // What a bare model was taken for, and the way to have it otherwise: a menu, and a button with the same menu in the
 // status bar; over the picture a question where unit or up axis are doubtful. Finds the exposure once the first picture
-// is complete. Called by the main window.
+// is complete.
 #pragma once
 
 #include <QObject>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,32 +19,14 @@ class QToolButton;
 
 namespace boxprobe {
 
-class Editor;
 class ImportBar;
-class SceneRenderer;
+class Workspace;
 
 class ModelFitter : public QObject {
   Q_OBJECT
 
  public:
-  struct Parts {
-    Document& document;
-    Editor& editor;
-    SceneRenderer& renderer;
-    std::function<const TriangleRays::Models&()> models;
-    std::function<double()> aspect;  ///< of the picture: width over height
-    QWidget* picture;                ///< what the question about units stands over
-  };
-  ModelFitter(Parts parts, QMainWindow* window);
-
-  /// A scene or a model was opened and is on show.
-  void opened(const LoadedScene& loaded);
-  /// The model's file is read otherwise than before, by an edit or its undo: the view goes with it.
-  void modelsChanged();
-  /// A lesson's scene takes its place for a while.
-  void setBorrowed(bool borrowed);
-  /// A frame was drawn: the exposure is found if that waits for it and nothing is left to capture.
-  void pictureDrawn();
+  ModelFitter(Workspace& workspace, QMainWindow* window);
 
   /// As one undo step: probes, cameras, lights and sky are fitted again. Nothing: as it is found.
   void treatAs(std::optional<ModelKind> kind);
@@ -59,11 +40,16 @@ class ModelFitter : public QObject {
  signals:
   void message(const QString& text);
   void failed(const QString& line);
-  /// The camera was fitted again.
-  void cameraFitted();
-  void pictureWanted();
 
  private:
+  /// A scene or a model was opened and is on show.
+  void opened(const LoadedScene& loaded);
+  /// The model's file is read otherwise than before, by an edit or its undo: the view goes with it.
+  void modelsChanged();
+  /// A lesson's scene takes its place for a while.
+  void setBorrowed(bool borrowed);
+  /// A frame was drawn: the exposure is found if that waits for it and nothing is left to capture.
+  void pictureDrawn();
   void buildMenu(QMainWindow* window);
   void refit(const QString& label, const Document::Edit& first = {});
   void askAgain();
@@ -71,7 +57,7 @@ class ModelFitter : public QObject {
   void exposeStep(double exposure);
   void update();
 
-  Parts parts_;
+  Workspace& workspace_;
   QMenu* menu_ = nullptr;
   QToolButton* button_ = nullptr;
   ImportBar* bar_;

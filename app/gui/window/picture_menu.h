@@ -1,5 +1,5 @@
 // Clicks in the picture that take hold of nothing: they show the object under the pointer in the panels, or offer what
-// can be done there. And the questions that the camera menu asks. Called by the main window.
+// can be done there.
 #pragma once
 
 #include <QObject>
@@ -14,55 +14,29 @@ class QWidget;
 
 namespace boxprobe {
 
-class Editor;
-class MenuBar;
-class ProbeWidget;
-class SceneSurfaces;
-class ShownScene;
-class ViewState;
-class ViewCommands;
-class Viewport;
+class Workspace;
 
 class PictureMenu : public QObject {
   Q_OBJECT
 
  public:
-  struct Parts {
-    Editor& editor;
-    ViewState& state;
-    Viewport& viewport;
-    ProbeWidget& handles;
-    SceneSurfaces& surfaces;
-    ViewCommands& views;
-    ShownScene& shown;
-    MenuBar& menu;
-  };
-  PictureMenu(const Parts& parts, QWidget* window);
+  PictureMenu(Workspace& workspace, QWidget* window);
 
-  /// The object there is told by picked().
+  /// What can be done at that pixel: of the probe whose handle is there, else of the selected one, and of the object.
+  std::unique_ptr<QMenu> menuAt(const QPointF& pixel);
+
+ private:
+  void show(const QPointF& pixel);
+  /// The object there.
   void select(const QPointF& pixel);
   /// The probe that lights the surface there.
   void selectProbeOf(const QPointF& pixel);
   /// The probe that lights where the camera stands, else the nearest.
   void selectHere();
-  /// What can be done at that pixel: of the probe whose handle is there, else of the selected one, and of the object.
-  std::unique_ptr<QMenu> menuAt(const QPointF& pixel);
-  void show(const QPointF& pixel);
-
-  void storeCamera();
-  void renameCamera(int index);
-
- signals:
-  void picked(const QString& node, const QString& material);
-  /// Asked for in the menu: their fields are to be brought into view.
-  void shownInPanels(const QString& node, const QString& material);
-  void message(const QString& text);
-
- private:
   void selectAt(const glm::dvec3& pointWorld, bool orNearest);
   void leaveOut(const std::string& node, bool out);
 
-  Parts parts_;
+  Workspace& workspace_;
   QWidget* window_;
 };
 

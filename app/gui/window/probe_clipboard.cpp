@@ -5,6 +5,7 @@
 #include <QClipboard>
 
 #include "app/gui/edit/probe_copies.h"
+#include "app/gui/view/workspace.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/json/json_text.h"
 #include "filters/io/scene/scene_file.h"
@@ -34,7 +35,11 @@ std::vector<Probe> probesFromText(const std::string& text) {
   return probes;
 }
 
-ProbeClipboard::ProbeClipboard(Editor& editor, QObject* parent) : QObject(parent), editor_(editor) {}
+ProbeClipboard::ProbeClipboard(Workspace& workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace), editor_(workspace.editor()) {
+  connect(workspace.actions().copy, &QAction::triggered, this, &ProbeClipboard::copy);
+  connect(workspace.actions().paste, &QAction::triggered, this, &ProbeClipboard::paste);
+}
 
 void ProbeClipboard::copy() {
   editor_.finish();
@@ -43,8 +48,8 @@ void ProbeClipboard::copy() {
   Scene alone;
   for (const std::size_t index : selected) alone.probes.push_back(editor_.scene().probes[index]);
   QApplication::clipboard()->setText(QString::fromStdString(sceneText(alone, kFolder)));
-  emit message(selected.size() == 1 ? tr("Copied probe %1 as JSON").arg(editor_.selectedName())
-                                    : tr("Copied %1 as JSON").arg(editor_.selectedName()));
+  emit workspace_.message(selected.size() == 1 ? tr("Copied probe %1 as JSON").arg(editor_.selectedName())
+                                               : tr("Copied %1 as JSON").arg(editor_.selectedName()));
 }
 
 void ProbeClipboard::paste() {
@@ -55,7 +60,7 @@ void ProbeClipboard::paste() {
     if (text.empty()) throw InputError("it holds no text");
     probes = probesFromText(text);
   } catch (const Error& error) {
-    emit failed(tr("No probe to paste: %1").arg(QString::fromUtf8(error.what())));
+    emit workspace_.failed(tr("No probe to paste: %1").arg(QString::fromUtf8(error.what())));
     return;
   }
   std::vector<Probe> all = editor_.scene().probes;

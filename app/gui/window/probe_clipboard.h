@@ -1,5 +1,5 @@
 // Probes through the clipboard, as the text of a scene file that holds nothing else: they can be pasted into another
-// scene or a text editor, and back. Called by the menu.
+// scene or a text editor, and back.
 #pragma once
 
 #include <QObject>
@@ -7,9 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/edit/editor.h"
+#include "filters/core/scene/scene.h"
 
 namespace boxprobe {
+
+class Editor;
+class Workspace;
 
 /// The probes of a scene file's text, of a list of probes or of one probe, as scene files hold them. Throws InputError
 /// (one line, with line and column) for what is none.
@@ -19,18 +22,15 @@ class ProbeClipboard : public QObject {
   Q_OBJECT
 
  public:
-  ProbeClipboard(Editor& editor, QObject* parent);
+  ProbeClipboard(Workspace& workspace, QObject* parent);
 
+ private:
   /// The selected probes.
   void copy();
   /// As one undo step; names that are taken get a number. What was pasted is selected.
   void paste();
 
- signals:
-  void message(const QString& text);
-  void failed(const QString& line);
-
- private:
+  Workspace& workspace_;
   Editor& editor_;
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/gui/view/workspace.h"
 #include "app/session/program_name.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/scene/document.h"
@@ -43,8 +44,14 @@ std::vector<std::pair<QString, ExportSettings>> engineChoices() {
 
 }  // namespace
 
-ProbeExporter::ProbeExporter(const Document& document, SceneRenderer& renderer, QWidget* window)
-    : QObject(window), document_(document), renderer_(renderer), window_(window) {
+ProbeExporter::ProbeExporter(Workspace& workspace, QWidget* window)
+    : QObject(window),
+      workspace_(workspace),
+      document_(workspace.document()),
+      renderer_(workspace.renderer()),
+      window_(window) {
+  workspace.listenTo(this);
+  connect(workspace.actions().exportProbes, &QAction::triggered, this, &ProbeExporter::ask);
   turn_.setInterval(0);
   connect(&turn_, &QTimer::timeout, this, &ProbeExporter::readOne);
 }
@@ -70,7 +77,7 @@ void ProbeExporter::ask() {
 
 void ProbeExporter::start(const ExportSettings& settings, const QString& folder) {
   if (running_) return;
-  emit ownSceneWanted();
+  emit workspace_.documentSceneWanted();
   renderer_.sharpenMirrors(0);  // what is exported is of the scene's own size
   captures_.clear();
   unfinished_.clear();
@@ -94,7 +101,7 @@ void ProbeExporter::start(const ExportSettings& settings, const QString& folder)
 
 void ProbeExporter::readOne() {
   try {
-    emit ownSceneWanted();
+    emit workspace_.documentSceneWanted();
     if (scene_ != std::make_pair(document_.path(), document_.scene().models)) {
       turn_.stop();
       return end(tr("Not exported: another scene was opened meanwhile"), false);

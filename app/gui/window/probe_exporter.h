@@ -1,6 +1,5 @@
 // File, Export probes: what the window's probes show, written for an engine. They are filtered and read back a level
-// and a probe per turn of the event loop, and written by another thread, so that the window stays usable. Called by the
-// menu.
+// and a probe per turn of the event loop, and written by another thread, so that the window stays usable.
 #pragma once
 
 #include <QObject>
@@ -22,12 +21,13 @@ namespace boxprobe {
 
 class Document;
 class SceneRenderer;
+class Workspace;
 
 class ProbeExporter : public QObject {
   Q_OBJECT
 
  public:
-  ProbeExporter(const Document& document, SceneRenderer& renderer, QWidget* window);
+  ProbeExporter(Workspace& workspace, QWidget* window);
   /// Stops after the probe at work.
   ~ProbeExporter() override;
 
@@ -38,8 +38,6 @@ class ProbeExporter : public QObject {
   bool running() const { return running_; }
 
  signals:
-  /// The renderer must draw the document's scene when this returns.
-  void ownSceneWanted();
   void message(const QString& text);
   void failed(const QString& text);
 
@@ -50,6 +48,7 @@ class ProbeExporter : public QObject {
   void write();
   void end(const QString& text, bool good);
 
+  Workspace& workspace_;
   const Document& document_;
   SceneRenderer& renderer_;
   QWidget* window_;

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "app/gui/lessons/lesson_panel.h"
+#include "app/gui/view/workspace.h"
 
 namespace boxprobe {
 
@@ -25,8 +26,15 @@ double largeType(int height) {
 
 }  // namespace
 
-Projector::Projector(QMainWindow* window, QDockWidget* lessonDock, LessonPanel* lessons)
-    : QObject(window), window_(window), lessonDock_(lessonDock), lessons_(lessons) {}
+Projector::Projector(Workspace& workspace, QMainWindow* window, QDockWidget* lessonDock, LessonPanel* lessons)
+    : QObject(window),
+      action_(workspace.actions().projector),
+      window_(window),
+      lessonDock_(lessonDock),
+      lessons_(lessons) {
+  connect(action_, &QAction::toggled, this, &Projector::setOn);
+  connect(&workspace, &Workspace::lessonShown, this, &Projector::setLessonOpen);
+}
 
 void Projector::setLessonOpen(bool open) {
   lessonOpen_ = open;
@@ -68,7 +76,7 @@ void Projector::setOn(bool on) {
     window_->restoreState(docks_);
     if (lessonOpen_) lessonDock_->show();
   }
-  emit switched(on);
+  action_->setChecked(on);
 }
 
 }  // namespace boxprobe

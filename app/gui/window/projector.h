@@ -1,34 +1,34 @@
 // The window for a projector: the picture and, while a lesson is open, its text in large letters; all else is put away
-// and comes back as it was. Called by the main window.
+// and comes back as it was.
 #pragma once
 
 #include <QByteArray>
 #include <QObject>
 
+class QAction;
 class QDockWidget;
 class QMainWindow;
 
 namespace boxprobe {
 
 class LessonPanel;
+class Workspace;
 
 class Projector : public QObject {
   Q_OBJECT
 
  public:
-  Projector(QMainWindow* window, QDockWidget* lessonDock, LessonPanel* lessons);
+  Projector(Workspace& workspace, QMainWindow* window, QDockWidget* lessonDock, LessonPanel* lessons);
 
   bool on() const { return on_; }
   void setOn(bool on);
-  /// A lesson was opened or left.
-  void setLessonOpen(bool open);
-
- signals:
-  void switched(bool on);
 
  private:
+  /// A lesson was opened or left.
+  void setLessonOpen(bool open);
   void showLessonLarge();
 
+  QAction* action_;
   QMainWindow* window_;
   QDockWidget* lessonDock_;
   LessonPanel* lessons_;

@@ -9,21 +9,27 @@
 #include <utility>
 
 #include "app/gui/edit/work_beside.h"
+#include "app/gui/view/workspace.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/opened_glb.h"
 #include "app/session/output_check.h"
 #include "app/web/review_page.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
-SceneReporter::SceneReporter(std::function<Shown()> shown, QWidget* window)
-    : QObject(window), shown_(std::move(shown)), window_(window) {}
+SceneReporter::SceneReporter(Workspace& workspace, QWidget* window)
+    : QObject(window), workspace_(workspace), window_(window) {
+  workspace.listenTo(this);
+  connect(workspace.actions().report, &QAction::triggered, this, &SceneReporter::ask);
+}
 
 void SceneReporter::ask() {
-  QString path = QFileDialog::getSaveFileName(window_, tr("Report"), QDir(shown_().folder).filePath("report.html"),
-                                              tr("Pages (*.html)"));
+  QString path = QFileDialog::getSaveFileName(
+      window_, tr("Report"), QDir(workspace_.folderShown()).filePath("report.html"), tr("Pages (*.html)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) {
     path += ".html";
@@ -40,13 +46,14 @@ bool SceneReporter::write(const QString& path) {
   try {
     requireExtension("Report", path.toStdString(), {".html", ".htm"});
     requireWritable("Report", path.toStdString());
-    Shown shown = shown_();
+    LoadedScene shown;
+    shown.scene = workspace_.document().scene();
+    shown.models = workspace_.models();
+    shown.path = workspace_.document().path();
     ReviewSettings settings = settings_;
-    settings.cameras = shown.loaded.scene.cameras;
-    if (settings.cameras.empty()) settings.cameras = {shown.view};
-    const std::string scene = !shown.loaded.path.empty()           ? shown.loaded.path
-                              : !shown.loaded.scene.models.empty() ? shown.loaded.scene.models.front().file
-                                                                   : std::string();
+    settings.cameras = shown.scene.cameras;
+    if (settings.cameras.empty()) settings.cameras = {workspace_.renderer().currentCamera()};
+    const std::string scene = ownPathOf(shown.path, shown.scene);
     const std::string command = "boxprobe report " + scene + " -o " + path.toStdString();
     std::optional<SceneReview> review;
     workBeside(window_, tr("Drawing and path tracing the cameras for the report"), true,
@@ -55,7 +62,7 @@ bool SceneReporter::write(const QString& path) {
                  hidden.command = "boxprobe";
                  hidden.beside = true;
                  OffscreenScene drawn(hidden);
-                 review = reviewScene(std::move(shown.loaded), drawn, settings, progress);
+                 review = reviewScene(std::move(shown), drawn, settings, progress);
                });
     if (!review) {
       emit message(tr("The report was cancelled; nothing was written"));

@@ -1,10 +1,9 @@
 // File > Report: the scene on show, reviewed as `boxprobe report` does. Asks for the file, works beside the window,
-// tells of the end. Called by the main window.
+// tells of the end.
 #pragma once
 
 #include <QObject>
 #include <QString>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -13,17 +12,13 @@
 
 namespace boxprobe {
 
+class Workspace;
+
 class SceneReporter : public QObject {
   Q_OBJECT
 
  public:
-  struct Shown {
-    LoadedScene loaded;  ///< as it is on show
-    Camera view;         ///< where the scene has no camera
-    QString folder;      ///< where the file is proposed; may be empty
-  };
-
-  SceneReporter(std::function<Shown()> shown, QWidget* window);
+  SceneReporter(Workspace& workspace, QWidget* window);
 
   /// Asks where to, and writes.
   void ask();
@@ -37,7 +32,7 @@ class SceneReporter : public QObject {
   void failed(const QString& text);
 
  private:
-  std::function<Shown()> shown_;
+  Workspace& workspace_;
   QWidget* window_;
   ReviewSettings settings_;
 };

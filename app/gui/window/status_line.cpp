@@ -7,7 +7,12 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include "app/gui/view/motion_preview.h"
+#include "app/gui/view/picture_work.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/workspace.h"
 #include "filters/core/scene/bounces.h"
+#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -17,7 +22,7 @@ constexpr int kMessageMilliseconds = 8000;
 
 }  // namespace
 
-StatusLine::StatusLine(QStatusBar* bar)
+StatusLine::StatusLine(Workspace& workspace, QStatusBar* bar)
     : QObject(bar),
       bar_(bar),
       picture_(new QLabel(bar)),
@@ -40,8 +45,19 @@ StatusLine::StatusLine(QStatusBar* bar)
   picture_->setObjectName("pictureState");
   bar_->addPermanentWidget(picture_);
   bar_->addPermanentWidget(counters_);
-  connect(stop_, &QToolButton::clicked, this, &StatusLine::stopRequested);
-  connect(resume_, &QToolButton::clicked, this, &StatusLine::resumeRequested);
+  connect(&workspace, &Workspace::message, this, &StatusLine::showMessage);
+  connect(&workspace, &Workspace::failed, this, &StatusLine::showError);
+  connect(workspace.actions().counters, &QAction::toggled, this, &StatusLine::setCountersShown);
+  RenderScheduler* scheduler = &workspace.scheduler();
+  connect(stop_, &QToolButton::clicked, scheduler, &RenderScheduler::stopWork);
+  connect(resume_, &QToolButton::clicked, scheduler, &RenderScheduler::resumeWork);
+  connect(scheduler, &RenderScheduler::workProgressed, this,
+          [this, &workspace](double fraction) { showProgress(fraction, workspace.renderer().workNow()); });
+  connect(scheduler, &RenderScheduler::workEnded, this, [this, scheduler] { hideProgress(scheduler->workStopped()); });
+  connect(scheduler, &RenderScheduler::rendered, this, [this, &workspace] {
+    showCounters(workspace.renderer().counters());
+    showPicture(workspace.renderer().frameCount(), workspace.picture().motion().active());
+  });
   counters_->setObjectName("workCounters");
   hideProgress(false);
   showCounters({});

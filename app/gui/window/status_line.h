@@ -1,5 +1,4 @@
 // The line under the picture: messages, what ran (counters) and the progress of capture with a button to stop it.
-// Called by the main window.
 #pragma once
 
 #include <QElapsedTimer>
@@ -17,12 +16,15 @@ class QToolButton;
 
 namespace boxprobe {
 
+class Workspace;
+
 class StatusLine : public QObject {
   Q_OBJECT
 
  public:
-  explicit StatusLine(QStatusBar* bar);
+  StatusLine(Workspace& workspace, QStatusBar* bar);
 
+ private:
   void showCounters(const Counters& counters);
   /// Off at first: they are for those who look into the program's work.
   void setCountersShown(bool shown);
@@ -32,12 +34,6 @@ class StatusLine : public QObject {
   void showPicture(const FrameCount& frames, bool preview);
   void showMessage(const QString& text);
   void showError(const QString& text);
-
- signals:
-  void stopRequested();
-  void resumeRequested();
-
- private:
   static QString workText(const WorkNow& now);
   void setFailed(bool failed);
 

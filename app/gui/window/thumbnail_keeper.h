@@ -1,32 +1,30 @@
-// Keeps a small picture of a scene that was opened or saved, once its picture rests. Called by the main window.
+// Keeps a small picture of a scene that was opened or saved, once its picture rests.
 #pragma once
 
-#include <QImage>
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <functional>
 
 namespace boxprobe {
+
+class Workspace;
 
 class ThumbnailKeeper : public QObject {
   Q_OBJECT
 
  public:
-  struct Hooks {
-    std::function<QString()> path;    ///< of the user's own scene; empty: none, or something else is on show
-    std::function<bool()> atRest;     ///< the plain picture is on show, nothing is left to capture, nobody drags
-    std::function<QImage()> picture;  ///< as it is on the screen, handles included
-  };
-  explicit ThumbnailKeeper(Hooks hooks, QObject* parent = nullptr);
-
-  /// The scene on show was opened or saved.
-  void opened();
+  ThumbnailKeeper(Workspace& workspace, QObject* parent);
 
  private:
+  /// The scene on show was opened or saved.
+  void opened();
+  /// Of the user's own scene; empty: none, or a lesson's is on show.
+  QString path() const;
+  /// The plain picture is on show, nothing is left to capture, nobody drags.
+  bool rests() const;
   void look();
 
-  Hooks hooks_;
+  Workspace& workspace_;
   QTimer later_;
   QString due_;
   int looks_ = 0;  ///< since then; a realtime probe never rests

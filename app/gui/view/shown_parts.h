@@ -1,15 +1,15 @@
 // Brings the picture up to what the window hides, isolates, outlines and cuts away, and does so by command. What is
-// rendered, exported, compared or captured has everything. Called by the main window's tools.
+// rendered, exported, compared or captured has everything.
 #pragma once
 
 #include <QObject>
 #include <QString>
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "app/gui/edit/editor.h"
 #include "app/gui/edit/view_state.h"
+#include "filters/core/scene/document.h"
 #include "filters/core/scene/model.h"
 
 namespace boxprobe {
@@ -17,7 +17,7 @@ namespace boxprobe {
 class SceneRenderer;
 class SceneSurfaces;
 
-class ShownScene : public QObject {
+class ShownParts : public QObject {
   Q_OBJECT
 
  public:
@@ -26,13 +26,12 @@ class ShownScene : public QObject {
     ViewState& state;
     SceneRenderer& renderer;
     SceneSurfaces& surfaces;
-    std::function<const ViewState::Names&()> nodes;  ///< of all objects
-    std::function<std::vector<std::shared_ptr<const Model>>()> models;
+    const std::vector<std::shared_ptr<const Model>>& models;
+    const ViewState::Names& nodes;  ///< of all objects
   };
-  ShownScene(const Parts& parts, QObject* parent);
+  ShownParts(const Parts& parts, QObject* parent);
 
-  /// The document changed.
-  void update();
+  void documentChanged(const Changes& changes);
   /// While pictures are compared the whole scene is shown: what is measured beside it has everything, too.
   void setWhole(bool whole);
 
@@ -43,7 +42,7 @@ class ShownScene : public QObject {
   void toggleIsolation();
   /// These alone; once more: all.
   void isolate(const ViewState::Names& probes, const ViewState::Names& objects);
-  void showAll();
+  /// Remembered for the next start.
   void setCutaway(bool on);
 
  signals:
@@ -52,6 +51,7 @@ class ShownScene : public QObject {
   void message(const QString& text);
 
  private:
+  void update();
   ViewState::Names selectedProbes() const;
   ViewState::Names objectsIn(const std::vector<std::size_t>& probes) const;
 

@@ -1,5 +1,5 @@
-// See shown_scene.h.
-#include "app/gui/view/shown_scene.h"
+// See shown_parts.h.
+#include "app/gui/view/shown_parts.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -40,16 +40,26 @@ bool reachesInto(const Mesh& mesh, const glm::dmat4& worldFromMesh, const Probe&
 
 }  // namespace
 
-ShownScene::ShownScene(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
-  connect(&parts_.state, &ViewState::changed, this, &ShownScene::update);
+ShownParts::ShownParts(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
+  parts.state.setCutaway(cutsAway());
+  connect(&parts.state, &ViewState::changed, this, &ShownParts::update);
+  // Whatever selects a probe.
+  connect(&parts.editor, &Editor::selectionChanged, this, [this] { parts_.state.selectObjects({}); });
 }
 
-void ShownScene::update() {
+void ShownParts::documentChanged(const Changes& changes) {
+  ViewState& state = parts_.state;
+  if (changes.probeList || changes.models) state.follow(parts_.editor.scene().probes, parts_.nodes);
+  const bool others = changes.probeList || changes.selection || changes.objects || changes.models;
+  if (others || state.cutaway()) update();
+}
+
+void ShownParts::update() {
   const ViewState& state = parts_.state;
   WindowView view;
   if (!whole_) {
     if (state.isolated() || state.anyHidden()) {
-      for (const std::string& node : parts_.nodes()) {
+      for (const std::string& node : parts_.nodes) {
         if (!state.shown(Part::Object, node)) view.hidden.insert(node);
       }
     }
@@ -59,7 +69,7 @@ void ShownScene::update() {
   view.outlined = state.objects();
   ViewState::Names locked;
   if (state.anyLocked()) {
-    for (const std::string& node : parts_.nodes()) {
+    for (const std::string& node : parts_.nodes) {
       if (state.locked(Part::Object, node)) locked.insert(node);
     }
   }
@@ -69,26 +79,26 @@ void ShownScene::update() {
   emit pictureChanged();
 }
 
-void ShownScene::setWhole(bool whole) {
+void ShownParts::setWhole(bool whole) {
   if (whole == whole_) return;
   whole_ = whole;
   update();
 }
 
-ViewState::Names ShownScene::selectedProbes() const {
+ViewState::Names ShownParts::selectedProbes() const {
   ViewState::Names names;
   for (const std::size_t index : parts_.editor.selected()) names.insert(parts_.editor.scene().probes[index].name);
   return names;
 }
 
-void ShownScene::hideSelected() {
+void ShownParts::hideSelected() {
   const ViewState::Names objects = parts_.state.objects();
   const ViewState::Names probes = objects.empty() ? selectedProbes() : ViewState::Names();
   if (objects.empty() && probes.empty()) return emit message(tr("Select a probe or an object to hide"));
   setHidden(probes, objects, true);
 }
 
-void ShownScene::setHidden(const ViewState::Names& probes, const ViewState::Names& objects, bool hidden) {
+void ShownParts::setHidden(const ViewState::Names& probes, const ViewState::Names& objects, bool hidden) {
   parts_.state.endIsolation();
   parts_.state.setHidden(Part::Probe, probes, hidden);
   parts_.state.setHidden(Part::Object, objects, hidden);
@@ -100,9 +110,9 @@ void ShownScene::setHidden(const ViewState::Names& probes, const ViewState::Name
                    : tr("%1 items are hidden in this window; Alt+H shows them").arg(static_cast<int>(names.size())));
 }
 
-ViewState::Names ShownScene::objectsIn(const std::vector<std::size_t>& probes) const {
+ViewState::Names ShownParts::objectsIn(const std::vector<std::size_t>& probes) const {
   const Scene& scene = parts_.editor.scene();
-  const auto models = parts_.models();
+  const auto& models = parts_.models;
   ViewState::Names names;
   for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
     for (const Instance& instance : models[i]->instances) {
@@ -118,7 +128,7 @@ ViewState::Names ShownScene::objectsIn(const std::vector<std::size_t>& probes) c
   return names;
 }
 
-void ShownScene::toggleIsolation() {
+void ShownParts::toggleIsolation() {
   if (parts_.state.isolated()) return isolate({}, {});
   const ViewState::Names probes = selectedProbes();
   ViewState::Names objects = parts_.state.objects();
@@ -129,17 +139,13 @@ void ShownScene::toggleIsolation() {
   isolate(probes, objects);
 }
 
-void ShownScene::isolate(const ViewState::Names& probes, const ViewState::Names& objects) {
+void ShownParts::isolate(const ViewState::Names& probes, const ViewState::Names& objects) {
   if (parts_.state.isolated()) return parts_.state.endIsolation();
   parts_.state.isolate(probes, objects);
   emit message(tr("Only the selection is shown; press / to show the rest"));
 }
 
-void ShownScene::showAll() {
-  parts_.state.showAll();
-}
-
-void ShownScene::setCutaway(bool on) {
+void ShownParts::setCutaway(bool on) {
   keepCutaway(on);
   parts_.state.setCutaway(on);
 }
