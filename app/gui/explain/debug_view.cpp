@@ -152,7 +152,7 @@ Explanation DebugView::explain(const QPointF& position) const {
     return renderer_.explain(device(position.x(), size[0]), device(position.y(), size[1]), size[0], size[1]);
   } catch (const Error& error) {
     Explanation unknown;
-    unknown.notes.emplace_back(error.what());
+    unknown.notes.push_back(Phrase::plain(error.what()));
     return unknown;
   }
 }
@@ -282,7 +282,7 @@ void DebugView::setSurfaceView(const SurfaceViewSettings& settings) {
 
 void DebugView::raysChanged() {
   const bool drawn = rays_->update() || mirrors_->shown();
-  rayPanel_->showStatus(QString::fromStdString(rays_->status()));
+  rayPanel_->showStatus(rays_->status());
   if (drawn) emit pictureChanged();
 }
 

@@ -14,6 +14,7 @@
 #include "app/gui/edit/gauge_rows.h"
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "filters/fit/fit_probe.h"
 
 namespace boxprobe {
@@ -156,7 +157,7 @@ void FitPanel::review(const BoxFit& result, const std::optional<FitLightErrors>&
         "out a face that improves the angle but worsens the light."));
   }
   QStringList lines;
-  for (const std::string& remark : result_->remarks) lines += QString::fromStdString(remark);
+  for (const Phrase& remark : result_->remarks) lines += phraseWords(remark);
   remarks_->setText(lines.join(". "));
   if (result_->outcome == FitOutcome::Fitted) emit ghostChanged(proposed());
 }

@@ -14,6 +14,7 @@
 #include "app/gui/edit/editor.h"
 #include "app/gui/edit/work_beside.h"
 #include "app/gui/widgets/message_box.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "app/gui/widgets/recent_files.h"
 #include "app/gui/widgets/window_words.h"
 #include "filters/core/base/errors.h"
@@ -153,7 +154,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
     const std::string digest = loaded.fileDigest;
-    const QString decided = loaded.fit ? QString::fromStdString(loaded.fit->decided) : QString();
+    const QString decided = loaded.fit ? phraseWords(loaded.fit->decided) : QString();
     hooks_.show(std::move(loaded));
     assignments_ = assignments;
     remember(path, digest);

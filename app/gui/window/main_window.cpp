@@ -29,6 +29,7 @@
 #include "app/gui/view/rest_refinement.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/accessible_names.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "app/gui/widgets/place_keys.h"
 #include "app/gui/widgets/preferences.h"
 #include "app/gui/widgets/recent_files.h"
@@ -346,7 +347,7 @@ void MainWindow::connectDebugView() {
   connect(menu_, &MenuBar::saveRaysRequested, debugView_.get(), &DebugView::saveRays);
   connect(debugView_.get(), &DebugView::toolChanged, menu_, &MenuBar::showExplainTool);
   connect(debugView_.get(), &DebugView::mendRequested, this, [this](const Mend& mend) {
-    editor_->commit(QString::fromStdString(mend.words), [mend](Scene& scene) {
+    editor_->commit(phraseWords(mend.words), [mend](Scene& scene) {
       if (const auto index = findProbe(scene, mend.probe)) scene.probes[*index] = mend.after;
     });
   });

@@ -7,6 +7,7 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include "app/gui/widgets/phrase_words.h"
 #include "filters/core/scene/bounces.h"
 
 namespace boxprobe {
@@ -109,7 +110,7 @@ void StatusLine::showProgress(double fraction, const WorkNow& now) {
                                               "texels stand in for them")
                                                .arg(now.missing)
                                                .arg(now.used));
-  progress_->setFormat(seconds && !shaders ? text + ", " + QString::fromStdString(TimeLeft::text(*seconds)) : text);
+  progress_->setFormat(seconds && !shaders ? text + ", " + phraseWords(TimeLeft::text(*seconds)) : text);
   progress_->setValue(static_cast<int>(100.0 * fraction));
   progress_->show();
   stop_->show();
