@@ -4413,8 +4413,8 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>Spiegel %1 ausschalten</translation>
     </message>
     <message>
-        <source>It %1.</source>
-        <translation>Es %1.</translation>
+        <source>It is not one flat surface, so it cannot be a planar mirror.</source>
+        <translation>Es ist keine einzelne ebene Fläche und kann daher kein ebener Spiegel sein.</translation>
     </message>
 </context>
 <context>

@@ -4413,8 +4413,8 @@ one lookup, on face %1</source>
         <translation>关闭镜子 %1</translation>
     </message>
     <message>
-        <source>It %1.</source>
-        <translation>它%1。</translation>
+        <source>It is not one flat surface, so it cannot be a planar mirror.</source>
+        <translation>它不是单一的平坦表面，因此不能作为平面镜。</translation>
     </message>
 </context>
 <context>
