@@ -5490,11 +5490,11 @@ eine Abfrage, auf Fläche %1</translation>
     </message>
     <message>
         <source>%1 draw has no probe: only the sky, no projection</source>
-        <translation>%1 Zeichenaufruf hat keine Sonde: nur der Himmel, keine Projektion</translation>
+        <translation>%1 Zeichenaufruf ohne Sonde: nur Himmel, keine Projektion</translation>
     </message>
     <message>
         <source>%1 draws have no probe: only the sky, no projection</source>
-        <translation>%1 Zeichenaufrufe haben keine Sonde: nur der Himmel, keine Projektion</translation>
+        <translation>%1 Zeichenaufrufe ohne Sonde: nur Himmel, keine Projektion</translation>
     </message>
     <message>
         <source>%1 draw has one probe at full weight: no weights computed, no second lookup</source>
