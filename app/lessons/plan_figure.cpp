@@ -60,7 +60,7 @@ class StillView {
 
   std::string svg() const {
     std::string text = "<figure class=\"plan-view\"><svg viewBox=\"0 0 " + number(kPlanWidth) + " " + number(height_) +
-                       "\" role=\"img\" aria-label=\"" + view_.title + "\">";
+                       "\" role=\"img\" aria-label=\"" + view_.title.english() + "\">";
     if (view_.boxLow) {
       const glm::dvec2 a = pixel({view_.boxLow->x, view_.boxHigh->y}), b = pixel({view_.boxHigh->x, view_.boxLow->y});
       text += "<rect class=\"box\" x=\"" + number(a.x) + "\" y=\"" + number(a.y) + "\" width=\"" + number(b.x - a.x) +
@@ -78,9 +78,9 @@ class StillView {
       const std::string name = plane ? "crossing" : point.kind == SchematicPoint::Hit ? "hit" : "dot";
       text += "<circle class=\"" + name + "\" cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) + "\" r=\"4\"/>";
       text += label(at + 13.0 * glm::dvec2(point.labelDirection.x, -point.labelDirection.y) + glm::dvec2(-5.0, 5.0),
-                    point.label, plane ? "beyond" : name);
+                    point.label.english(), plane ? "beyond" : name);
     }
-    return text + "</svg><figcaption>" + view_.title + "</figcaption></figure>";
+    return text + "</svg><figcaption>" + view_.title.english() + "</figcaption></figure>";
   }
 
  private:

@@ -149,13 +149,15 @@ Json boxJson(const Box& box) {
 
 /// `mend` holds the fields of the scene file that it changes, with their new values.
 Json verdictJson(const Verdict& verdict) {
-  Json json = {{"sentence", verdict.sentence}, {"mend", nullptr}};
+  Json json = {{"sentence", verdict.sentence.english()}, {"mend", nullptr}};
   if (!verdict.mend) return json;
   const Probe& after = verdict.mend->after;
-  json["mend"] = {
-      {"words", verdict.mend->words},   {"probe", verdict.mend->probe},
-      {"box", boxJson(after.box)},      {"influence", after.influence ? boxJson(*after.influence) : Json(nullptr)},
-      {"projection", after.projection}, {"technique", after.technique}};
+  json["mend"] = {{"words", verdict.mend->words.english()},
+                  {"probe", verdict.mend->probe},
+                  {"box", boxJson(after.box)},
+                  {"influence", after.influence ? boxJson(*after.influence) : Json(nullptr)},
+                  {"projection", after.projection},
+                  {"technique", after.technique}};
   return json;
 }
 
@@ -194,7 +196,7 @@ std::string explanationJson(const Explanation& e, const std::optional<Verdict>& 
   json["lookupCount"] = e.lookupCount;
   json["probes"] = Json::array();
   for (const ProbeExplanation& p : e.probes) json["probes"].push_back(probeJson(p));
-  json["notes"] = e.notes;
+  json["notes"] = english(e.notes);
   // Names in model files need not be UTF-8.
   return validJson(json);
 }

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/session/fit_scene.h"
 #include "app/session/shared_work.h"
+#include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/reference/path/reference_path.h"
@@ -35,11 +35,8 @@ constexpr double kCertain = 0.1;    // of the light: with less that is known the
 constexpr double kBetter = 0.99;    // of the error: less is no reason to change a scene
 constexpr double kNoWorse = 1.005;  // without a probe: it is left out
 
-template <class... Values>
-std::string sentence(const char* format, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
+std::string errorText(double error) {
+  return decimalText(error, 3);
 }
 
 struct Eye {
@@ -83,12 +80,13 @@ class Checker {
     check_.eyes = eyes_.size();
     if (placement_.rooms.empty()) return check_;
     if (eyes_.empty() || !(white_ > 0.0) || !measurable()) {
-      check_.sentences.emplace_back(
-          eyes_.empty()  ? "pictures were not compared: nobody can stand in these rooms"
-          : !surfaces_   ? "pictures were not compared: only lamps and unlit surfaces are seen"
-          : white_ > 0.0 ? "pictures were not compared: the light that reaches the rooms is too little to "
-                           "tell it from noise"
-                         : "pictures were not compared: the scene has no light");
+      check_.sentences.push_back(
+          eyes_.empty() ? Phrase::tr("pictures were not compared: nobody can stand in these rooms")
+          : !surfaces_  ? Phrase::tr("pictures were not compared: only lamps and unlit surfaces are seen")
+          : white_ > 0.0
+              ? Phrase::tr("pictures were not compared: the light that reaches the rooms is too little to tell "
+                           "it from noise")
+              : Phrase::tr("pictures were not compared: the scene has no light"));
       check_.better = true;
       return check_;
     }
@@ -285,7 +283,7 @@ class Checker {
       oneBox = {aroundAll()};
       const auto errors = errorsWith(oneBox);
       if (!errors) return false;
-      check_.sentences.push_back(sentence("one box around all rooms: error %.3f", errors->error));
+      check_.sentences.push_back(Phrase::tr("one box around all rooms: error %1").arg(errorText(errors->error)));
       if (errors->error < kBetter * best->error) {
         best = *errors, choice = Choice::OneBox;
         bestSquares_ = roomSquares_;
@@ -296,8 +294,9 @@ class Checker {
     if (!own.empty() && bounced != own && placement_.kept.empty() && !acrossBoth) {
       const auto errors = errorsWith(bounced);
       if (!errors) return false;
-      check_.sentences.push_back(
-          sentence("the scene's own probes with %d bounces: error %.3f", kBounces, errors->error));
+      check_.sentences.push_back(Phrase::tr("the scene's own probes with %1 bounces: error %2")
+                                     .arg(std::to_string(kBounces))
+                                     .arg(errorText(errors->error)));
       if (!best || errors->error < kBetter * best->error) {
         best = *errors, choice = Choice::OwnWithBounces;
         bestSquares_ = roomSquares_;
@@ -307,7 +306,7 @@ class Checker {
       PlacedProbe one = placement_.probes.front();
       one.probe = oneBox.front();
       one.part = false;
-      one.reason = "one box around all rooms measured better than one for each";
+      one.reason = Phrase::tr("one box around all rooms measured better than one for each");
       placement_.probes = {one};
     } else if (choice == Choice::OwnWithBounces) {
       placement_.probes.clear();
@@ -316,21 +315,24 @@ class Checker {
       if (loaded_.fit && bounced.size() == 1) {
         placement_.kept.clear();
         placement_.probes.push_back({bounced.front(), 0, false, 0.0, *loaded_.fit->box});
-        placement_.probes.back().reason = "fitted to all of the model, which measured better than its rooms";
+        placement_.probes.back().reason =
+            Phrase::tr("fitted to all of the model, which measured better than its rooms");
       }
     }
     if (best && !moveOrigins(*best)) return false;
     check_.better = best && best->error < kBetter * before->error;
     if (!check_.better) {
-      check_.sentences.push_back(own.empty() ? "no probe made the pictures better: none is proposed"
-                                             : "nothing measured better than the scene's own probes, which stay");
+      check_.sentences.push_back(own.empty()
+                                     ? Phrase::tr("no probe made the pictures better: none is proposed")
+                                     : Phrase::tr("nothing measured better than the scene's own probes, which stay"));
       placement_.probes.clear();
       placement_.kept = own;
       return true;
     }
     check_.after = *best;
     if (choice == Choice::OwnWithBounces && placement_.probes.empty()) {
-      check_.sentences.push_back(sentence("the scene's own probes stay, with %d bounces", kBounces));
+      check_.sentences.push_back(
+          Phrase::tr("the scene's own probes stay, with %1 bounces").arg(std::to_string(kBounces)));
     }
     return true;
   }
@@ -415,9 +417,14 @@ class Checker {
         const auto errors = errorsWith(placement_.all());
         if (!errors) return false;
         const bool better = errors->error < kBetter * best.error;
-        check_.sentences.push_back("\"" + oneLine(still.name) + "\"" +
-                                   sentence(" captured at (%.2f, %.2f, %.2f): error %.3f -> %.3f%s", origin.x, origin.y,
-                                            origin.z, best.error, errors->error, better ? "" : ", left out"));
+        check_.sentences.push_back((better ? Phrase::tr("\"%1\" captured at (%2, %3, %4): error %5 -> %6")
+                                           : Phrase::tr("\"%1\" captured at (%2, %3, %4): error %5 -> %6, left out"))
+                                       .arg(oneLine(still.name))
+                                       .arg(decimalText(origin.x, 2))
+                                       .arg(decimalText(origin.y, 2))
+                                       .arg(decimalText(origin.z, 2))
+                                       .arg(errorText(best.error))
+                                       .arg(errorText(errors->error)));
         if (better) {
           best = *errors;
           bestSquares_ = roomSquares_;
@@ -457,8 +464,11 @@ class Checker {
     const auto errors = errorsWith(placement_.all());
     if (!errors) return false;
     const bool better = errors->error < kBetter * best.error;
-    check_.sentences.push_back(sentence("%zu probes captured from elsewhere: error %.3f -> %.3f%s", moved, best.error,
-                                        errors->error, better ? "" : ", left out"));
+    check_.sentences.push_back((better ? Phrase::tr("%1 probes captured from elsewhere: error %2 -> %3")
+                                       : Phrase::tr("%1 probes captured from elsewhere: error %2 -> %3, left out"))
+                                   .arg(std::to_string(moved))
+                                   .arg(errorText(best.error))
+                                   .arg(errorText(errors->error)));
     if (better) {
       best = *errors;
       bestSquares_ = roomSquares_;
@@ -480,8 +490,11 @@ class Checker {
     const auto errors = errorsWith(placement_.all());
     if (!errors) return false;
     const bool better = errors->error < kBetter * best.error;
-    check_.sentences.push_back(sentence("%d bounces of light in the captures: error %.3f -> %.3f%s", kBounces,
-                                        best.error, errors->error, better ? "" : ", left out"));
+    check_.sentences.push_back((better ? Phrase::tr("%1 bounces of light in the captures: error %2 -> %3")
+                                       : Phrase::tr("%1 bounces of light in the captures: error %2 -> %3, left out"))
+                                   .arg(std::to_string(kBounces))
+                                   .arg(errorText(best.error))
+                                   .arg(errorText(errors->error)));
     if (better) {
       best = *errors;
       bestSquares_ = roomSquares_;
@@ -506,14 +519,17 @@ class Checker {
       if (!errors) return false;
       // What is seen outside stays lit unless that is plainly worse.
       const bool missed = errors->error > (candidate.surroundings ? kBetter : kNoWorse) * best.error;
-      check_.sentences.push_back(
-          "without \"" + oneLine(candidate.probe.name) + "\"" +
-          sentence(": error %.3f -> %.3f, %s", best.error, errors->error, missed ? "it stays" : "left out"));
+      check_.sentences.push_back((missed ? Phrase::tr("without \"%1\": error %2 -> %3, it stays")
+                                         : Phrase::tr("without \"%1\": error %2 -> %3, left out"))
+                                     .arg(oneLine(candidate.probe.name))
+                                     .arg(errorText(best.error))
+                                     .arg(errorText(errors->error)));
       if (missed) {
         placement_.probes.insert(placement_.probes.begin() + static_cast<std::ptrdiff_t>(i), candidate);
         const double gain = errors->error - best.error;
-        placement_.probes[i].reason += gain > 0.0005 ? sentence("; without it the error grows by %.3f", gain)
-                                                     : "; without it the error is the same";
+        Phrase& reason = placement_.probes[i].reason;
+        reason = gain > 0.0005 ? Phrase::tr("%1; without it the error grows by %2").arg(reason).arg(errorText(gain))
+                               : Phrase::tr("%1; without it the error is the same").arg(reason);
       } else {
         best = *errors;
         bestSquares_ = roomSquares_;

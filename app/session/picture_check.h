@@ -40,7 +40,7 @@ struct PictureCheck {
   std::size_t eyes = 0;
   PictureErrors before, after;                     ///< with the scene's own probes; with what is proposed
   bool better = false;                             ///< false: nothing measured better, and the scene's own probes stay
-  std::vector<std::string> sentences;              ///< without full stop: what was tried, and what it brought
+  std::vector<Phrase> sentences;                   ///< without full stop: what was tried, and what it brought
   std::vector<RoomErrors> rooms;                   ///< in the order of the placement's rooms
   std::vector<EyePictures> views;                  ///< if asked for, and something is proposed
   std::vector<std::optional<std::size_t>> viewOf;  ///< per probe of Placement::all(): the view that shows it best

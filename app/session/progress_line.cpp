@@ -43,7 +43,7 @@ void ProgressLine::show(double fraction) {
   }
   constexpr int width = 30;
   const int filled = percent * width / 100;
-  const std::string left = seconds && percent < 100 ? ", " + TimeLeft::text(*seconds) : std::string();
+  const std::string left = seconds && percent < 100 ? ", " + TimeLeft::text(*seconds).english() : std::string();
   std::fprintf(stderr, "\r%s [%s%s] %3d %%%s\x1b[K", label_.c_str(),
                std::string(static_cast<std::size_t>(filled), '#').c_str(),
                std::string(static_cast<std::size_t>(width - filled), '.').c_str(), percent, left.c_str());

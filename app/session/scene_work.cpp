@@ -22,7 +22,7 @@ LoadedScene loadSceneShown(const std::string& path, const std::vector<std::strin
         },
         wishes);
   }
-  if (loaded.fit && !quiet) printNote(path + ": " + loaded.fit->decided);
+  if (loaded.fit && !quiet) printNote(path + ": " + loaded.fit->decided.english());
   return loaded;
 }
 

@@ -128,7 +128,7 @@ std::optional<BoxFit> SharedWork::find(const std::string& name, const Probe& sta
     fit.hidden = json.at("hidden").get<double>();
     fit.open = json.at("open").get<double>();
     fit.seconds = json.at("seconds").get<double>();
-    fit.remarks = json.at("remarks").get<std::vector<std::string>>();
+    for (const Json& remark : json.at("remarks")) fit.remarks.push_back(Phrase::plain(remark.get<std::string>()));
     return fit;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;  // not a fit, or a number that JSON cannot hold
@@ -150,7 +150,7 @@ void SharedWork::keep(const std::string& name, const BoxFit& fit) const {
                      {"hidden", fit.hidden},
                      {"open", fit.open},
                      {"seconds", fit.seconds},
-                     {"remarks", fit.remarks}};
+                     {"remarks", english(fit.remarks)}};
   keepBytes(name, json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

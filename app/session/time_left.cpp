@@ -25,11 +25,11 @@ std::optional<double> TimeLeft::update(double fraction, double seconds) {
   return taken / done * (1.0 - fraction);
 }
 
-std::string TimeLeft::text(double seconds) {
+Phrase TimeLeft::text(double seconds) {
   constexpr double kMostSeconds = 90.0;  // in minutes from here on
-  if (seconds < 1.0) return "under 1 s left";
-  if (seconds < kMostSeconds) return std::to_string(std::lround(seconds)) + " s left";
-  return std::to_string(std::lround(seconds / 60.0)) + " min left";
+  if (seconds < 1.0) return Phrase::tr("under 1 s left");
+  if (seconds < kMostSeconds) return Phrase::tr("%1 s left").arg(std::to_string(std::lround(seconds)));
+  return Phrase::tr("%1 min left").arg(std::to_string(std::lround(seconds / 60.0)));
 }
 
 }  // namespace boxprobe

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
+
+#include "filters/core/base/phrase.h"
 
 namespace boxprobe {
 
@@ -15,7 +16,7 @@ class TimeLeft {
   void restart() { started_ = false; }
 
   /// "under 1 s left", "12 s left", "3 min left".
-  static std::string text(double seconds);
+  static Phrase text(double seconds);
 
  private:
   bool started_ = false;

@@ -104,8 +104,8 @@ std::string probeHtml(const ReviewedProbe& row) {
       allBounces(probe) ? "all bounces" : count(static_cast<std::size_t>(probe.bounces), "bounce", "bounces");
   std::string remarks;
   const bool stays = !row.fit || row.fit->outcome == FitOutcome::Kept;
-  for (const std::string& remark : !stays ? row.fit->remarks : std::vector<std::string>()) {
-    remarks += "<br>" + markup(remark);
+  for (const Phrase& remark : !stays ? row.fit->remarks : std::vector<Phrase>()) {
+    remarks += "<br>" + markup(remark.english());
   }
   return "<tr><th scope=\"row\">" + markup(probe.name) + "</th>" +
          cell(boxText(probe.box) + (probe.rotationDegrees == glm::dvec3(0.0)

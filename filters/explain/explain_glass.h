@@ -27,7 +27,7 @@ struct GatheredGlass {
   glm::vec3 specular{0.0f};
   int lookups = 0;
   float brightestTexel = 0.0f;
-  std::string sources;
+  Phrase sources;
 };
 using GatherGlass =
     std::function<GatheredGlass(const glm::dvec3& positionWorld, const glm::vec3& direction, float roughness)>;

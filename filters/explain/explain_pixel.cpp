@@ -137,11 +137,11 @@ Explanation explainPixel(const ExplainInput& in) {
   e.emissive = s.emissive;
   if (in.lighting == ExplainInput::Lighting::Unlit) {
     e.color = e.emissive;
-    e.notes.emplace_back("The material is unlit: it shows its colour, no light and no probe.");
+    e.notes.push_back(Phrase::tr("The material is unlit: it shows its colour, no light and no probe."));
     return e;
   }
   if (glm::dot(s.normalWorld, s.normalWorld) < 0.25f) {
-    e.notes.emplace_back("The surface has no normal here, so there is no reflected ray to project.");
+    e.notes.push_back(Phrase::tr("The surface has no normal here, so there is no reflected ray to project."));
     return e;
   }
   e.lookupNormal = s.normalWorld;
@@ -152,9 +152,9 @@ Explanation explainPixel(const ExplainInput& in) {
   e.reflectionWorld = shading::reflectedView(e.lookupNormal, s.viewWorld);
   const float facing = glm::dot(s.normalWorld, s.viewWorld);
   if (facing <= 0.0f) {
-    e.notes.emplace_back(
-        "The shading normal points away from the eye. A ray reflected about it would start below the surface, so it "
-        "goes straight on.");
+    e.notes.push_back(Phrase::tr(
+        "The shading normal points away from the eye. A ray reflected about it would start below the surface, "
+        "so it goes straight on."));
   }
   e.nDotV = std::clamp(facing, 1.0e-5f, 1.0f);
   const SurfaceFresnel ends = surfaceFresnel(s, e.nDotV);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/base/phrase.h"
 #include "filters/core/surface/lit_point.h"
 #include "filters/core/surface/surface_point.h"
 #include "filters/explain/diffuse_explanation.h"
@@ -125,7 +126,7 @@ struct Explanation {
   int dominant = -1;
   float brightestTexel = 0.0f;  ///< largest component of any texel sampled
   /// Undefined and unusual conditions: one sentence each ("The capture origin lies outside the box, ...").
-  std::vector<std::string> notes;
+  std::vector<Phrase> notes;
 };
 
 /// The part of it from which references start.

@@ -15,6 +15,13 @@ std::string cubeFaceName(int face) {
   return face >= 0 && face < 6 ? names[static_cast<std::size_t>(face)] : "none";
 }
 
+Phrase numberPhrase(const std::string& number) {
+  if (number == "undefined") return Phrase::tr("undefined");
+  if (number == "infinite") return Phrase::tr("infinite");
+  if (number == "-infinite") return Phrase::tr("-infinite");
+  return Phrase::plain(number);
+}
+
 namespace explained {
 
 std::string percent(double share) {
@@ -22,7 +29,7 @@ std::string percent(double share) {
   return share > 0.0 && share < kSmallestShown ? "<0.1 %" : fixedText(100.0 * share, 1) + " %";
 }
 
-ExplanationRow row(std::string symbol, std::vector<std::string> values, std::string unit, std::string meaning) {
+ExplanationRow row(Symbol symbol, std::vector<std::string> values, std::string unit, Phrase meaning) {
   ExplanationRow made;
   made.symbol = std::move(symbol);
   made.numbers = std::move(values);
@@ -31,11 +38,11 @@ ExplanationRow row(std::string symbol, std::vector<std::string> values, std::str
   return made;
 }
 
-ExplanationRow scalar(std::string symbol, double value, std::string unit, std::string meaning) {
+ExplanationRow scalar(Symbol symbol, double value, std::string unit, Phrase meaning) {
   return row(std::move(symbol), {fixedText(value)}, std::move(unit), std::move(meaning));
 }
 
-ExplanationRow light(std::string symbol, const glm::vec3& value, std::string meaning) {
+ExplanationRow light(Symbol symbol, const glm::vec3& value, Phrase meaning) {
   ExplanationRow made = vector(std::move(symbol), value, "", std::move(meaning));
   made.color = value;
   return made;

@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "filters/core/base/fixed_text.h"
+#include "filters/core/base/phrase.h"
 
 namespace boxprobe {
 
 struct ExplanationRow {
-  std::string symbol;                ///< "P", "t_x": what follows an underscore is a subscript
+  Phrase symbol;                     ///< a word, or "P", "t_x": what follows an underscore is a subscript
   std::vector<std::string> numbers;  ///< none, one or three
   std::string unit;                  ///< "" for a pure number
-  std::string meaning;               ///< description, or the formula with its numbers
+  Phrase meaning;                    ///< description, or the formula with its numbers
   std::optional<glm::vec3> color;    ///< linear light, shown as a swatch
   bool marked = false;               ///< decisive: the smallest slab factor
   bool sum = false;                  ///< the sum of the rows above
@@ -24,13 +25,15 @@ struct ExplanationRow {
 };
 
 struct ExplanationSection {
-  std::string title;
+  Phrase title;
   std::vector<ExplanationRow> rows;
   int probe = -1;  ///< index in Explanation::probes of the section's probe
 };
 
 /// "-x" .. "+z" for a ProbeExplanation's face.
 std::string boxFaceName(int face);
+/// A row's number, which may be a word: "infinite".
+Phrase numberPhrase(const std::string& number);
 /// "+X" .. "-Z" for a face of a cubemap in OpenGL's order.
 std::string cubeFaceName(int face);
 
@@ -50,14 +53,21 @@ std::vector<std::string> numbers(const Vector& v) {
 /// "12.5 %", "<0.1 %".
 std::string percent(double share);
 
-ExplanationRow row(std::string symbol, std::vector<std::string> values, std::string unit, std::string meaning);
-ExplanationRow scalar(std::string symbol, double value, std::string unit, std::string meaning);
+/// Letters are the same in every language; words are translated.
+struct Symbol : Phrase {
+  Symbol(const char* letters) : Phrase(plain(letters)) {}
+  Symbol(std::string letters) : Phrase(plain(std::move(letters))) {}
+  Symbol(Phrase word) : Phrase(std::move(word)) {}
+};
+
+ExplanationRow row(Symbol symbol, std::vector<std::string> values, std::string unit, Phrase meaning);
+ExplanationRow scalar(Symbol symbol, double value, std::string unit, Phrase meaning);
 template <typename Vector>
-ExplanationRow vector(std::string symbol, const Vector& value, std::string unit, std::string meaning) {
+ExplanationRow vector(Symbol symbol, const Vector& value, std::string unit, Phrase meaning) {
   return row(std::move(symbol), numbers(value), std::move(unit), std::move(meaning));
 }
 /// With a swatch of its colour.
-ExplanationRow light(std::string symbol, const glm::vec3& value, std::string meaning);
+ExplanationRow light(Symbol symbol, const glm::vec3& value, Phrase meaning);
 
 }  // namespace explained
 

@@ -15,124 +15,152 @@ namespace {
 
 ExplanationSection surfaceSection(const Explanation& e) {
   const SurfacePoint& s = e.surface;
-  ExplanationSection section{"Surface: object \"" + s.object + "\", material \"" + s.material + "\"", {}, -1};
+  ExplanationSection section{
+      Phrase::tr("Surface: object \"%1\", material \"%2\"").arg(s.object).arg(s.material), {}, -1};
   auto& rows = section.rows;
-  rows.push_back(vector("P", s.positionWorld, kLength, "shading point"));
+  rows.push_back(vector("P", s.positionWorld, kLength, Phrase::tr("shading point")));
   const bool normal = s.normalWorld != glm::vec3(0.0f);
   if (normal) {
-    rows.push_back(vector("N", s.normalWorld, "", "shading normal, unit"));
+    rows.push_back(vector("N", s.normalWorld, "", Phrase::tr("shading normal, unit")));
   } else {
-    rows.push_back(row("N", {"undefined"}, "", "the surface has no normal here"));
+    rows.push_back(row("N", {"undefined"}, "", Phrase::tr("the surface has no normal here")));
   }
-  rows.push_back(vector("V", s.viewWorld, "", "towards the eye, unit"));
+  rows.push_back(vector("V", s.viewWorld, "", Phrase::tr("towards the eye, unit")));
   if (normal) {
     if (e.lookupNormal != glm::vec3(0.0f) && e.lookupNormal != s.normalWorld) {
-      rows.push_back(vector("N_b", e.lookupNormal, "", "N bent towards the eye across the brushing; R is about it"));
+      rows.push_back(
+          vector("N_b", e.lookupNormal, "", Phrase::tr("N bent towards the eye across the brushing; R is about it")));
     }
-    rows.push_back(vector("R", e.reflectionWorld, "", "reflected direction, 2 max(N.V, 0) N - V"));
-    rows.push_back(scalar("N.V", e.nDotV, "", "cosine of the view angle"));
+    rows.push_back(vector("R", e.reflectionWorld, "", Phrase::tr("reflected direction, 2 max(N.V, 0) N - V")));
+    rows.push_back(scalar("N.V", e.nDotV, "", Phrase::tr("cosine of the view angle")));
   }
   rows.push_back(
-      scalar("p", s.roughness, "", "perceptual roughness; alpha = p^2 = " + fixedText(s.roughness * s.roughness)));
-  ExplanationRow albedo = vector("albedo", s.albedo, "", "base colour; metallic " + fixedText(s.metallic, 2));
+      scalar("p", s.roughness, "",
+             Phrase::tr("perceptual roughness; alpha = p^2 = %1").arg(fixedText(s.roughness * s.roughness))));
+  ExplanationRow albedo =
+      vector(Phrase::tr("albedo"), s.albedo, "", Phrase::tr("base colour; metallic %1").arg(fixedText(s.metallic, 2)));
   albedo.color = s.albedo;
   rows.push_back(albedo);
-  rows.push_back(vector("F_0", e.f0, "",
-                        "reflectance at normal incidence: mix(" + fixedText(s.baseF0, 3) + ", base colour, metallic)"));
+  rows.push_back(vector(
+      "F_0", e.f0, "",
+      Phrase::tr("reflectance at normal incidence: mix(%1, base colour, metallic)").arg(fixedText(s.baseF0, 3))));
   if (s.occlusion < 1.0f)
-    rows.push_back(scalar("AO", s.occlusion, "", "the material's occlusion, a factor of all light but emission"));
-  if (s.opacity < 1.0f) rows.push_back(scalar("opacity", s.opacity, "", "of the surface"));
+    rows.push_back(
+        scalar("AO", s.occlusion, "", Phrase::tr("the material's occlusion, a factor of all light but emission")));
+  if (s.opacity < 1.0f) rows.push_back(scalar(Phrase::tr("opacity"), s.opacity, "", Phrase::tr("of the surface")));
   return section;
 }
 
 ExplanationSection skySection(const Explanation& e) {
-  ExplanationSection section{"Sky: " + percent(e.skyWeight) + " of the pixel", {}, -1};
+  ExplanationSection section{Phrase::tr("Sky: %1 of the pixel").arg(percent(e.skyWeight)), {}, -1};
   section.rows.push_back(light(
-      "L_sky", e.skyValue, "the share that no probe takes, sampled along R at mip level " + fixedText(e.skyLevel, 2)));
+      "L_sky", e.skyValue,
+      Phrase::tr("the share that no probe takes, sampled along R at mip level %1").arg(fixedText(e.skyLevel, 2))));
   return section;
 }
 
 ExplanationSection glassSection(const Explanation& e) {
   const GlassExplanation& g = *e.glass;
-  ExplanationSection section{"Glass: " + g.form + (g.back ? ", seen from within" : ""), {}, -1};
+  const Phrase title = g.back ? Phrase::tr("Glass: %1, seen from within") : Phrase::tr("Glass: %1");
+  ExplanationSection section{title.arg(g.form), {}, -1};
   auto& rows = section.rows;
   rows.push_back(
-      scalar("n_1/n_2", g.eta, "", "index on the eye's side over that beyond; the glass has " + fixedText(g.ior)));
+      scalar("n_1/n_2", g.eta, "",
+             Phrase::tr("index on the eye's side over that beyond; the glass has %1").arg(fixedText(g.ior))));
   rows.push_back(scalar("F", g.reflectance, "",
-                        g.reflectance >= 1.0f ? "totally reflected: the view is flatter than the critical angle"
-                                              : "exact Fresnel reflectance of a dielectric at N.V"));
-  std::string direction = "refracted view direction, in which the probes are sampled";
+                        g.reflectance >= 1.0f
+                            ? Phrase::tr("totally reflected: the view is flatter than the critical angle")
+                            : Phrase::tr("exact Fresnel reflectance of a dielectric at N.V")));
+  Phrase direction = Phrase::tr("refracted view direction, in which the probes are sampled");
   if (g.form == "two-interface" && !g.back) {
-    direction += ", bent at the front and where it leaves";
-    if (g.mirrored > 0) direction += "; mirrored within " + std::to_string(g.mirrored) + " times on the way";
+    direction = Phrase::tr("%1, bent at the front and where it leaves").arg(direction);
+    if (g.mirrored > 0) {
+      direction = Phrase::tr("%1; mirrored within %2 times on the way").arg(direction).arg(std::to_string(g.mirrored));
+    }
   }
   rows.push_back(vector("T", g.directionWorld, "", direction));
-  rows.push_back(vector("Q", g.exitWorld, kLength, "from where it is followed to the box"));
-  rows.push_back(scalar("x", g.distance, kLength, "the way within"));
+  rows.push_back(vector("Q", g.exitWorld, kLength, Phrase::tr("from where it is followed to the box")));
+  rows.push_back(scalar("x", g.distance, kLength, Phrase::tr("the way within")));
+  rows.push_back(scalar("p_T", g.roughness, "",
+                        Phrase::tr("roughness of a mirror that would scatter as far; gives the mip level")));
+  rows.push_back(light("Beer", g.transmittance, Phrase::tr("left of white light after x")));
   rows.push_back(
-      scalar("p_T", g.roughness, "", "roughness of a mirror that would scatter as far; gives the mip level"));
-  rows.push_back(light("Beer", g.transmittance, "left of white light after x"));
-  rows.push_back(light("passes", g.passed, "factor: transmission (1 - reflected) base colour Beer"));
-  rows.push_back(light("L_T", g.looked, "found along T: " + g.sources));
+      light(Phrase::tr("passes"), g.passed, Phrase::tr("factor: transmission (1 - reflected) base colour Beer")));
+  rows.push_back(light("L_T", g.looked, Phrase::tr("found along T: %1").arg(g.sources)));
   return section;
 }
 
 ExplanationSection mirrorSection(const Explanation& e) {
   const MirrorExplanation& m = *e.mirror;
   ExplanationSection section{
-      "Planar mirror: objects that move take " + percent(m.coverage) + " of the reflection", {}, -1};
+      Phrase::tr("Planar mirror: objects that move take %1 of the reflection").arg(percent(m.coverage)), {}, -1};
   auto& rows = section.rows;
-  rows.push_back(scalar("a", m.coverage, "", "coverage of the mirror's picture over the lobe; the probes keep 1 - a"));
+  rows.push_back(
+      scalar("a", m.coverage, "", Phrase::tr("coverage of the mirror's picture over the lobe; the probes keep 1 - a")));
   if (m.coverage > 0.0f) {
-    rows.push_back(scalar("d_dyn", m.hitDistance, kLength, "along R to what moves, by its height over the mirror"));
     rows.push_back(
-        scalar("level", m.level, "",
-               "whose texels are as large as the lobe at that distance; " + std::to_string(m.fetches) + " fetches"));
-    rows.push_back(light("L_dyn", m.light, "its light, times a"));
+        scalar("d_dyn", m.hitDistance, kLength, Phrase::tr("along R to what moves, by its height over the mirror")));
+    rows.push_back(scalar(Phrase::tr("level"), m.level, "",
+                          Phrase::tr("whose texels are as large as the lobe at that distance; %1 fetches")
+                              .arg(std::to_string(m.fetches))));
+    rows.push_back(light("L_dyn", m.light, Phrase::tr("its light, times a")));
   }
-  if (m.share != 1.0f) rows.push_back(scalar("s", m.share, "", "factor of L_dyn: share and intensity of the probes"));
+  if (m.share != 1.0f)
+    rows.push_back(scalar("s", m.share, "", Phrase::tr("factor of L_dyn: share and intensity of the probes")));
   return section;
 }
 
 ExplanationSection shadowSection(const LightShadow& shadow) {
-  ExplanationSection section{"Light " + std::to_string(shadow.light) + ": what lets it through", {}, -1};
+  ExplanationSection section{Phrase::tr("Light %1: what lets it through").arg(std::to_string(shadow.light)), {}, -1};
   auto& rows = section.rows;
-  rows.push_back(vector("L", shadow.toLight, "", "towards the light"));
+  rows.push_back(vector("L", shadow.toLight, "", Phrase::tr("towards the light")));
   for (const ProbeShadow& p : shadow.probes) {
-    rows.push_back(scalar("d", p.distance, kLength, "along L to where it leaves the box of probe \"" + p.name + "\""));
-    rows.push_back(vector("H", p.hitWorld, kLength, "there; what the probe's coverage is looked up for"));
-    rows.push_back(light("T", p.through, "1 - coverage, coloured by glass, at level " + fixedText(p.level, 2)));
+    rows.push_back(
+        scalar("d", p.distance, kLength, Phrase::tr("along L to where it leaves the box of probe \"%1\"").arg(p.name)));
+    rows.push_back(vector("H", p.hitWorld, kLength, Phrase::tr("there; what the probe's coverage is looked up for")));
+    rows.push_back(
+        light("T", p.through, Phrase::tr("1 - coverage, coloured by glass, at level %1").arg(fixedText(p.level, 2))));
   }
-  if (shadow.moving) rows.push_back(scalar("m", *shadow.moving, "", "factor of the shadow map of what moves"));
-  rows.push_back(light("through", shadow.through,
-                       shadow.facesAway ? "none: the surface faces away from it" : "factor of the light in `direct`"));
+  if (shadow.moving)
+    rows.push_back(scalar("m", *shadow.moving, "", Phrase::tr("factor of the shadow map of what moves")));
+  rows.push_back(light(Phrase::tr("through"), shadow.through,
+                       shadow.facesAway ? Phrase::tr("none: the surface faces away from it")
+                                        : Phrase::tr("factor of the light in `direct`")));
   return section;
 }
 
 ExplanationSection sumSection(const Explanation& e) {
-  ExplanationSection section{"Sum", {}, -1};
+  ExplanationSection section{Phrase::tr("Sum"), {}, -1};
   auto& rows = section.rows;
-  rows.push_back(light("direct", e.direct, "light sources"));
-  rows.push_back(light("emissive", e.emissive, "the surface's own light"));
+  rows.push_back(light(Phrase::tr("direct"), e.direct, Phrase::tr("light sources")));
+  rows.push_back(light(Phrase::tr("emissive"), e.emissive, Phrase::tr("the surface's own light")));
   const float all = e.color.x + e.color.y + e.color.z;
-  const std::string share =
-      all > 0.0f ? "; " + percent((e.diffuse.x + e.diffuse.y + e.diffuse.z) / all) + " of the pixel" : std::string();
-  rows.push_back(light("diffuse", e.diffuse, "light from all directions around N, times the base colour" + share));
-  rows.push_back(
-      light("specular", e.specular,
-            (e.glass ? "reflected light times F (A + B); A = " : "reflected light times F_0 A + F_90 B; A = ") +
-                fixedText(e.brdf.x) + ", B = " + fixedText(e.brdf.y) + " of the split sum"));
-  if (e.glass) rows.push_back(light("glass", e.glass->light(), "what is looked through: passes times L_T"));
-  if (e.sheen != glm::vec3(0.0f))
-    rows.push_back(light("sheen", e.sheen, "the same light, sent back by cloth's fibres"));
-  if (e.coat != glm::vec3(0.0f)) rows.push_back(light("coat", e.coat, "what the clear coat changes"));
-  rows.push_back(light("color", e.color, "computed: linear light before exposure"));
+  const Phrase diffuse = all > 0.0f
+                             ? Phrase::tr("light from all directions around N, times the base colour; %1 of the pixel")
+                                   .arg(percent((e.diffuse.x + e.diffuse.y + e.diffuse.z) / all))
+                             : Phrase::tr("light from all directions around N, times the base colour");
+  rows.push_back(light(Phrase::tr("diffuse"), e.diffuse, diffuse));
+  const Phrase specular = e.glass ? Phrase::tr("reflected light times F (A + B); A = %1, B = %2 of the split sum")
+                                  : Phrase::tr("reflected light times F_0 A + F_90 B; A = %1, B = %2 of the split sum");
+  rows.push_back(light(Phrase::tr("specular"), e.specular, specular.arg(fixedText(e.brdf.x)).arg(fixedText(e.brdf.y))));
+  if (e.glass) {
+    rows.push_back(
+        light(Phrase::tr("glass"), e.glass->light(), Phrase::tr("what is looked through: passes times L_T")));
+  }
+  if (e.sheen != glm::vec3(0.0f)) {
+    rows.push_back(light(Phrase::tr("sheen"), e.sheen, Phrase::tr("the same light, sent back by cloth's fibres")));
+  }
+  if (e.coat != glm::vec3(0.0f)) {
+    rows.push_back(light(Phrase::tr("coat"), e.coat, Phrase::tr("what the clear coat changes")));
+  }
+  rows.push_back(light(Phrase::tr("color"), e.color, Phrase::tr("computed: linear light before exposure")));
   rows.back().sum = true;
   if (e.rendered) {
     const auto difference = relativeDifference(e);
-    rows.push_back(light("rendered", *e.rendered,
-                         "the pixel as drawn; differs by " + fixedText(*difference, 5) +
-                             (e.brightestTexel > 0.0f ? " of the brightest texel" : " of the colour")));
+    const Phrase drawn = e.brightestTexel > 0.0f
+                             ? Phrase::tr("the pixel as drawn; differs by %1 of the brightest texel")
+                             : Phrase::tr("the pixel as drawn; differs by %1 of the colour");
+    rows.push_back(light(Phrase::tr("rendered"), *e.rendered, drawn.arg(fixedText(*difference, 5))));
   }
   return section;
 }
@@ -149,14 +177,12 @@ std::optional<float> relativeDifference(const Explanation& e) {
 
 std::vector<ExplanationSection> explanationSections(const Explanation& e, const ExplanationDetail& detail) {
   std::vector<ExplanationSection> sections;
-  const std::string pixel = "Pixel " + std::to_string(e.x) + ", " + std::to_string(e.y);
-  if (!e.hit) {
-    ExplanationSection background{pixel + ": the background", {}, -1};
-    background.rows.push_back(light("color", e.rendered.value_or(e.color), "what the sky shows there, linear"));
-    return {background};
-  }
-  ExplanationSection head{pixel, {}, -1};
-  head.rows.push_back(light("color", e.rendered.value_or(e.color), "linear light before exposure"));
+  const Phrase title = e.hit ? Phrase::tr("Pixel %1, %2") : Phrase::tr("Pixel %1, %2: the background");
+  const Phrase meaning =
+      e.hit ? Phrase::tr("linear light before exposure") : Phrase::tr("what the sky shows there, linear");
+  ExplanationSection head{title.arg(std::to_string(e.x)).arg(std::to_string(e.y)), {}, -1};
+  head.rows.push_back(light(Phrase::tr("color"), e.rendered.value_or(e.color), meaning));
+  if (!e.hit) return {head};
   sections.push_back(head);
   sections.push_back(surfaceSection(e));
   std::vector<std::size_t> order(e.probes.size());

@@ -21,7 +21,7 @@ Widths columnWidths(const std::vector<ExplanationSection>& sections) {
   Widths widths;
   for (const ExplanationSection& section : sections) {
     for (const ExplanationRow& row : section.rows) {
-      widths.symbol = std::max(widths.symbol, row.symbol.size() + (row.detail ? 2 : 0));
+      widths.symbol = std::max(widths.symbol, row.symbol.english().size() + (row.detail ? 2 : 0));
       widths.unit = std::max(widths.unit, row.unit.size());
       for (std::size_t i = 0; i < row.numbers.size(); ++i) {
         widths.number.at(i) = std::max(widths.number.at(i), row.numbers[i].size());
@@ -39,12 +39,12 @@ void append(std::string& line, const std::string& text, std::size_t width, bool 
 
 std::string rowText(const ExplanationRow& row, const Widths& widths) {
   std::string line = row.marked ? "  > " : "    ";
-  append(line, (row.detail ? "  " : "") + row.symbol, widths.symbol, false);
+  append(line, (row.detail ? "  " : "") + row.symbol.english(), widths.symbol, false);
   for (std::size_t i = 0; i < widths.number.size(); ++i) {
     append(line, i < row.numbers.size() ? row.numbers[i] : "", widths.number[i], true);
   }
   append(line, row.unit, widths.unit, false);
-  line += row.meaning;
+  line += row.meaning.english();
   if (row.marked) line += "   <- the smallest";
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
@@ -58,15 +58,15 @@ std::string explanationText(const Explanation& e, const ExplanationDetail& detai
   const Widths widths = columnWidths(sections);
   std::string text;
   if (verdict) {
-    text += oneLine(verdict->sentence) + "\n";
-    if (verdict->mend) text += "Mend: " + oneLine(verdict->mend->words) + "\n";
+    text += oneLine(verdict->sentence.english()) + "\n";
+    if (verdict->mend) text += "Mend: " + oneLine(verdict->mend->words.english()) + "\n";
     text += "\n";
   }
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (i > 0) text += "\n";
-    text += oneLine(sections[i].title) + "\n";
+    text += oneLine(sections[i].title.english()) + "\n";
     if (i == 0) {
-      for (const std::string& note : e.notes) text += "  ! " + oneLine(note) + "\n";
+      for (const Phrase& note : e.notes) text += "  ! " + oneLine(note.english()) + "\n";
     }
     for (const ExplanationRow& row : sections[i].rows) text += rowText(row, widths);
   }

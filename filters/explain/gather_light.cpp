@@ -142,12 +142,13 @@ GatheredGlass gatherForGlass(const ExplainInput& in, const glm::dvec3& positionW
                              float roughness) {
   const GatheredLight light = gatherAlong(in, positionWorld, direction, roughness);
   GatheredGlass found{light.specular, light.lookups, light.brightestTexel, {}};
-  const auto add = [&found](const std::string& name, float share) {
-    if (share <= 0.0f) return;
-    found.sources += (found.sources.empty() ? "" : ", ") + name + " " + fixedText(100.0 * double(share), 1) + " %";
+  std::vector<Phrase> sources;
+  const auto add = [&sources](const Phrase& source, float share) {
+    if (share > 0.0f) sources.push_back(source.arg(fixedText(100.0 * double(share), 1)));
   };
-  for (const ProbeExplanation& p : light.probes) add("probe \"" + p.name + "\"", p.weight);
-  add("sky", light.skyWeight);
+  for (const ProbeExplanation& p : light.probes) add(Phrase::tr("probe \"%1\" %2 %").arg(p.name), p.weight);
+  add(Phrase::tr("sky %1 %"), light.skyWeight);
+  found.sources = commaList(sources);
   return found;
 }
 

@@ -5,6 +5,8 @@
 #include <glm/vec3.hpp>
 #include <string>
 
+#include "filters/core/base/phrase.h"
+
 namespace boxprobe {
 
 struct GlassExplanation {
@@ -25,7 +27,7 @@ struct GlassExplanation {
   float stands = 0.0f;             ///< share of it that is replaced by the frame behind the glass
   int lookups = 0;
   float brightestTexel = 0.0f;
-  std::string sources;  ///< "probe \"ball\" 100.0 %"
+  Phrase sources;  ///< "probe \"ball\" 100.0 %"
 
   glm::vec3 light() const { return passed * looked; }
 };

@@ -26,28 +26,34 @@ ExplanationRow slabRow(const ProbeExplanation& p, int axis) {
   const float r = p.reflectionProbe[axis];
   const std::string symbol = std::string("t_") + kAxisNames[axis];
   if (t > kNever) {
-    return row(symbol, {"infinite"}, "",
-               std::string("R has no part along ") + kAxisNames[axis] + ": that pair of planes is never met");
+    return row(
+        symbol, {"infinite"}, "",
+        Phrase::tr("R has no part along %1: that pair of planes is never met").arg(std::string(1, kAxisNames[axis])));
   }
   const bool positive = r > 0.0f;
   const float plane = positive ? p.boxMax[axis] : p.boxMin[axis];
   if (t == 0.0f && std::abs(r) > 0.0f && (plane - p.positionProbe[axis]) * r < 0.0f) {
-    return scalar(symbol, t, kLength, "counts as 0: P lies beyond that plane");
+    return scalar(symbol, t, kLength, Phrase::tr("counts as 0: P lies beyond that plane"));
   }
   const std::string formula = std::string(positive ? "(max - P)/R = (" : "(min - P)/R = (") + fixedText(plane) + " - " +
                               subtrahend(p.positionProbe[axis]) + ") / " + fixedText(r);
-  return scalar(symbol, t, kLength, formula);
+  return scalar(symbol, t, kLength, Phrase::plain(formula));
 }
 
 void addProjection(const ProbeExplanation& p, std::vector<ExplanationRow>& rows) {
-  rows.push_back(vector("C", p.originWorld, kLength, "where the probe was captured"));
+  rows.push_back(vector("C", p.originWorld, kLength, Phrase::tr("where the probe was captured")));
   const bool rotated = p.worldFromProbe != glm::dmat3(1.0);
-  const std::string frame = rotated ? ", along the box's own axes" : "";
-  rows.push_back(vector("P - C", p.positionProbe, kLength, "from the capture origin" + frame));
-  if (rotated) rows.push_back(vector("R", p.reflectionProbe, "", "reflected direction along the box's own axes"));
+  rows.push_back(vector("P - C", p.positionProbe, kLength,
+                        rotated ? Phrase::tr("from the capture origin, along the box's own axes")
+                                : Phrase::tr("from the capture origin")));
+  if (rotated) {
+    rows.push_back(vector("R", p.reflectionProbe, "", Phrase::tr("reflected direction along the box's own axes")));
+  }
   if (p.slabFactors) {
-    rows.push_back(vector("min", p.boxMin, kLength, "box relative to C" + frame));
-    rows.push_back(vector("max", p.boxMax, kLength, ""));
+    rows.push_back(
+        vector("min", p.boxMin, kLength,
+               rotated ? Phrase::tr("box relative to C, along the box's own axes") : Phrase::tr("box relative to C")));
+    rows.push_back(vector("max", p.boxMax, kLength, {}));
     const glm::vec3& t = *p.slabFactors;
     const int smallest = t.x <= t.y && t.x <= t.z ? 0 : t.y <= t.z ? 1 : 2;
     for (int axis = 0; axis < 3; ++axis) {
@@ -56,28 +62,33 @@ void addProjection(const ProbeExplanation& p, std::vector<ExplanationRow>& rows)
     }
   }
   if (p.hitDistance) {
-    std::string meaning = p.slabFactors ? "min(t_x, t_y, t_z)" : "along R to the proxy";
-    if (p.face >= 0) meaning += ": the ray leaves through the face " + boxFaceName(p.face);
+    Phrase meaning = p.slabFactors ? Phrase::plain("min(t_x, t_y, t_z)") : Phrase::tr("along R to the proxy");
+    if (p.face >= 0) {
+      meaning = Phrase::tr("%1: the ray leaves through the face %2").arg(meaning).arg(boxFaceName(p.face));
+    }
     if (p.bevel > 0.0f && p.slabFactors) {
-      rows.push_back(scalar("r", p.bevel, kLength, "radius of the box's rounded edges at this roughness"));
+      rows.push_back(scalar("r", p.bevel, kLength, Phrase::tr("radius of the box's rounded edges at this roughness")));
     }
     if (p.boxDistance) {
       rows.push_back(scalar("d_box", *p.boxDistance, kLength, meaning));
-      meaning =
-          p.distanceLookups > 0 ? "along R to the hit as the technique refines it" : "along R to the rounded edge";
-      if (p.distanceLookups > 0) {
-        meaning += ", by " + std::to_string(p.distanceLookups) + " lookups of the captured distances";
-      }
+      meaning = p.distanceLookups > 0 ? Phrase::tr(
+                                            "along R to the hit as the technique refines it, by %1 lookups of the "
+                                            "captured distances")
+                                            .arg(std::to_string(p.distanceLookups))
+                                      : Phrase::tr("along R to the rounded edge");
     }
     rows.push_back(scalar("d", *p.hitDistance, kLength, meaning));
-    rows.push_back(vector("H", p.hitWorld, kLength, "hit point, P + d R"));
-    rows.push_back(vector("H - C", p.lookupDirection, kLength, "direction in which the cubemap is sampled"));
+    rows.push_back(vector("H", p.hitWorld, kLength, Phrase::tr("hit point, P + d R")));
+    rows.push_back(
+        vector("H - C", p.lookupDirection, kLength, Phrase::tr("direction in which the cubemap is sampled")));
   } else {
-    rows.push_back(vector("L", p.lookupDirection, "", "what the cubemap is looked up with; nothing is hit"));
+    rows.push_back(
+        vector("L", p.lookupDirection, "", Phrase::tr("what the cubemap is looked up with; nothing is hit")));
   }
   if (p.trueDistance) {
-    std::string meaning = "along R to the captured surface";
-    if (p.hitDistance) meaning += "; the proxy is off by " + fixedText(std::abs(*p.hitDistance - *p.trueDistance));
+    const Phrase meaning = p.hitDistance ? Phrase::tr("along R to the captured surface; the proxy is off by %1")
+                                               .arg(fixedText(std::abs(*p.hitDistance - *p.trueDistance)))
+                                         : Phrase::tr("along R to the captured surface");
     rows.push_back(scalar("d_true", *p.trueDistance, kLength, meaning));
   }
 }
@@ -95,22 +106,28 @@ void addTexels(const ProbeExplanation& p, const Lookup& lookup, const Explanatio
       continue;
     }
     ExplanationRow made;
-    made.symbol = percent(share);
-    made.meaning = "texel " + std::to_string(t.column) + ", " + std::to_string(t.row) + " of face " +
-                   cubeFaceName(t.face) + ", level " + std::to_string(t.level);
+    made.symbol = Phrase::plain(percent(share));
+    made.meaning = Phrase::tr("texel %1, %2 of face %3, level %4")
+                       .arg(std::to_string(t.column))
+                       .arg(std::to_string(t.row))
+                       .arg(cubeFaceName(t.face))
+                       .arg(std::to_string(t.level));
     if (detail.texelValue) made.color = detail.texelValue(p, t);
     if (made.color) made.numbers = numbers(*made.color);
     made.detail = true;
     rows.push_back(made);
   }
   if (texels.size() <= detail.texelsPerLookup) return;
-  rows.push_back(row(percent(rest), {}, "", std::to_string(texels.size() - detail.texelsPerLookup) + " more texels"));
+  rows.push_back(row(percent(rest), {}, "",
+                     Phrase::tr("%1 more texels").arg(std::to_string(texels.size() - detail.texelsPerLookup))));
   rows.back().detail = true;
 }
 
-std::string levelText(const Lookup& lookup, float maxLevel) {
-  return "level " + fixedText(lookup.level, 2) + " of 0 to " + fixedText(maxLevel, 0) + ", baked for roughness " +
-         fixedText(lookup.roughness, 3);
+Phrase levelText(const Lookup& lookup, float maxLevel) {
+  return Phrase::tr("level %1 of 0 to %2, baked for roughness %3")
+      .arg(fixedText(lookup.level, 2))
+      .arg(fixedText(maxLevel, 0))
+      .arg(fixedText(lookup.roughness, 3));
 }
 
 /// The sum of the lookups that are not shown.
@@ -125,8 +142,11 @@ ExplanationRow restRow(const ProbeExplanation& p, const std::vector<std::size_t>
     high = std::max(high, lookup.level);
   }
   return light("...", share > 0.0f ? sum / share : sum,
-               std::to_string(rest.size()) + " more lookups, which bring less light: " + percent(share) +
-                   " together, their mean; levels " + fixedText(low, 2) + " to " + fixedText(high, 2));
+               Phrase::tr("%1 more lookups, which bring less light: %2 together, their mean; levels %3 to %4")
+                   .arg(std::to_string(rest.size()))
+                   .arg(percent(share))
+                   .arg(fixedText(low, 2))
+                   .arg(fixedText(high, 2)));
 }
 
 void addDiffuse(const DiffuseExplanation& d, std::vector<ExplanationRow>& rows) {
@@ -136,19 +156,28 @@ void addDiffuse(const DiffuseExplanation& d, std::vector<ExplanationRow>& rows) 
   };
   for (const LampAtPoint& lamp : d.lamps) {
     rows.push_back(light("E_lamp", lamp.light,
-                         "lamp \"" + lamp.node + "\" as a shape: it fills " + percent(lamp.filled) +
-                             " of the cosine hemisphere around N"));
+                         Phrase::tr("lamp \"%1\" as a shape: it fills %2 of the cosine hemisphere around N")
+                             .arg(lamp.node)
+                             .arg(percent(lamp.filled))));
   }
-  std::string nodes;
+  Phrase nodes;
   for (const LatticeNodeAtPoint& node : d.nodes) {
-    nodes += (nodes.empty() ? "" : "; ") + place(node.node) + " by " + percent(node.weight) +
-             (node.known ? "" : " (within something: filled from its neighbours)");
+    const Phrase weighed =
+        (node.known ? Phrase::tr("%1 by %2") : Phrase::tr("%1 by %2 (within something: filled from its neighbours)"))
+            .arg(place(node.node))
+            .arg(percent(node.weight));
+    nodes = nodes.empty() ? weighed : Phrase::tr("%1; %2").arg(nodes).arg(weighed);
   }
-  rows.push_back(light("E_lattice", d.lattice,
-                       "everything else, from a lattice of " + std::to_string(d.nodeCount.x) + " x " +
-                           std::to_string(d.nodeCount.y) + " x " + std::to_string(d.nodeCount.z) + " nodes" +
-                           (d.cutWays > 0 ? " (" + std::to_string(d.cutWays) + " ways between them cut)" : "") + ": " +
-                           nodes));
+  const Phrase lattice =
+      (d.cutWays > 0
+           ? Phrase::tr("everything else, from a lattice of %1 x %2 x %3 nodes (%5 ways between them cut): %4")
+           : Phrase::tr("everything else, from a lattice of %1 x %2 x %3 nodes: %4"))
+          .arg(std::to_string(d.nodeCount.x))
+          .arg(std::to_string(d.nodeCount.y))
+          .arg(std::to_string(d.nodeCount.z))
+          .arg(nodes)
+          .arg(std::to_string(d.cutWays));
+  rows.push_back(light("E_lattice", d.lattice, lattice));
 }
 
 void addLookups(const Explanation& e, const ProbeExplanation& p, const ExplanationDetail& detail,
@@ -168,30 +197,37 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
   for (std::size_t k = 0; k < shown; ++k) {
     const std::size_t i = order[k];
     const Lookup& lookup = p.lookups[i];
-    std::string meaning = levelText(lookup, p.maxLevel);
+    Phrase meaning = levelText(lookup, p.maxLevel);
     const float change = lookup.roughness - e.surface.roughness;
     constexpr float kSame = 5e-4f;
     if (std::abs(change) > kSame) {
-      meaning += std::string(change < 0.0f ? " (sharper than" : " (softer than") + " the surface's " +
-                 fixedText(e.surface.roughness, 3) + ")";
+      meaning = (change < 0.0f ? Phrase::tr("%1 (sharper than the surface's %2)")
+                               : Phrase::tr("%1 (softer than the surface's %2)"))
+                    .arg(meaning)
+                    .arg(fixedText(e.surface.roughness, 3));
     }
-    const std::string symbol = p.lookups.size() == 1 ? "fetch" : "fetch " + std::to_string(i + 1);
-    if (p.lookups.size() > 1) meaning = percent(lookup.weight) + ", " + meaning;
+    const bool single = p.lookups.size() == 1;
+    const Phrase symbol = single ? Phrase::tr("fetch") : Phrase::tr("fetch %1").arg(std::to_string(i + 1));
+    if (!single) meaning = Phrase::tr("%1, %2").arg(percent(lookup.weight)).arg(meaning);
     rows.push_back(light(symbol, lookup.value, meaning));
     addTexels(p, lookup, detail, rows);
   }
   if (shown < order.size()) rows.push_back(restRow(p, {order.begin() + static_cast<long>(shown), order.end()}));
-  rows.push_back(light("L_spec", p.specular, "the probe's reflected light: its lookups by their shares"));
+  rows.push_back(light("L_spec", p.specular, Phrase::tr("the probe's reflected light: its lookups by their shares")));
   if (p.coverage) {
-    rows.push_back(scalar("a", *p.coverage, "", "how much of that the probe covers; the sky shows for 1 - a"));
-    rows.push_back(light("L_sky", p.openSky,
-                         p.openByLookup
-                             ? "mean of the sky that each lookup sees"
-                             : "the sky along R, not box-projected, at mip level " + fixedText(p.openSkyLevel, 2)));
+    rows.push_back(
+        scalar("a", *p.coverage, "", Phrase::tr("how much of that the probe covers; the sky shows for 1 - a")));
+    rows.push_back(light(
+        "L_sky", p.openSky,
+        p.openByLookup
+            ? Phrase::tr("mean of the sky that each lookup sees")
+            : Phrase::tr("the sky along R, not box-projected, at mip level %1").arg(fixedText(p.openSkyLevel, 2))));
   }
-  if (p.occlusion) rows.push_back(scalar("o", *p.occlusion, "", "factor of L_spec: box occlusion by the distance d"));
+  if (p.occlusion)
+    rows.push_back(scalar("o", *p.occlusion, "", Phrase::tr("factor of L_spec: box occlusion by the distance d")));
   addDiffuse(p.diffuse, rows);
-  rows.push_back(light("E/pi", p.irradiance, "its light from all directions around N, for the diffuse part"));
+  rows.push_back(
+      light("E/pi", p.irradiance, Phrase::tr("its light from all directions around N, for the diffuse part")));
 }
 
 }  // namespace
@@ -199,17 +235,18 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
 ExplanationSection probeSection(const Explanation& e, std::size_t index, const ExplanationDetail& detail) {
   const ProbeExplanation& p = e.probes[index];
   ExplanationSection section{
-      "Probe \"" + p.name + "\": " + percent(p.weight) + " of the pixel, technique " + p.technique,
+      Phrase::tr("Probe \"%1\": %2 of the pixel, technique %3").arg(p.name).arg(percent(p.weight)).arg(p.technique),
       {},
       static_cast<int>(index)};
-  std::string influence = "weight of its influence box at P";
-  if (p.intensity != 1.0f) influence += "; intensity " + fixedText(p.intensity, 2);
+  const Phrase influence =
+      p.intensity != 1.0f ? Phrase::tr("weight of its influence box at P; intensity %1").arg(fixedText(p.intensity, 2))
+                          : Phrase::tr("weight of its influence box at P");
   section.rows.push_back(scalar("w", p.influence, "", influence));
   addProjection(p, section.rows);
   if (p.lookups.empty()) {
-    section.rows.push_back(
-        row("fetch", {}, "",
-            p.captured ? "none: its share is too small to show" : "none: not captured yet, it gives no light"));
+    section.rows.push_back(row(Phrase::tr("fetch"), {}, "",
+                               p.captured ? Phrase::tr("none: its share is too small to show")
+                                          : Phrase::tr("none: not captured yet, it gives no light")));
   } else {
     addLookups(e, p, detail, section.rows);
   }

@@ -9,8 +9,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <utility>
 
 #include "filters/core/base/fixed_text.h"
+#include "filters/explain/explanation_rows.h"
 
 namespace boxprobe {
 
@@ -71,7 +73,7 @@ double wayOut(const Ray& r, const glm::dvec3& from, const glm::dvec3& along) {
 
 class ViewBuilder {
  public:
-  ViewBuilder(std::string title, int right, int up, bool rightFlipped, bool upFlipped) {
+  ViewBuilder(Phrase title, int right, int up, bool rightFlipped, bool upFlipped) {
     view_.title = std::move(title);
     view_.right = right;
     view_.up = up;
@@ -107,8 +109,8 @@ class ViewBuilder {
     const auto line = [&](SchematicLine kind, const glm::dvec3& from, const glm::dvec3& to, const char* label) {
       view_.lines.push_back({kind, paper(from), paper(to), label, 1.0});
     };
-    const auto point = [&](SchematicPoint kind, const glm::dvec3& at, const char* label) {
-      view_.points.push_back({kind, paper(at), label, {}});
+    const auto point = [&](SchematicPoint kind, const glm::dvec3& at, explained::Symbol label) {
+      view_.points.push_back({kind, paper(at), std::move(label), {}});
     };
     line(SchematicLine::Eye, r.eye, r.position, "");
     if (r.hit) {
@@ -124,11 +126,11 @@ class ViewBuilder {
     const double visible = 0.02 * glm::length(r.boxMax - r.boxMin);
     if (r.hit && r.trueHit && glm::length(*r.trueHit - *r.hit) > visible) {
       line(SchematicLine::TrueHit, *r.hit, *r.trueHit, "");
-      point(SchematicPoint::TrueHit, *r.trueHit, "true");
+      point(SchematicPoint::TrueHit, *r.trueHit, Phrase::tr("true"));
     }
     point(SchematicPoint::Shading, r.position, "P");
     point(SchematicPoint::Origin, none, "C");
-    point(SchematicPoint::Eye, r.eye, "eye");
+    point(SchematicPoint::Eye, r.eye, Phrase::tr("eye"));
     for (auto& shown : view_.points) shown.labelDirection = freeDirection(shown.at);
     return view_;
   }
@@ -184,7 +186,7 @@ class ViewBuilder {
       view_.planes.push_back({a, b, paper(crossing), label, axis == smallest});
       if (axis == smallest) continue;
       view_.lines.push_back({SchematicLine::Slab, paper(r.hit.value_or(r.position)), paper(crossing), "", 1.0});
-      view_.points.push_back({SchematicPoint::SlabPlane, paper(crossing), label, {}});
+      view_.points.push_back({SchematicPoint::SlabPlane, paper(crossing), Phrase::plain(label), {}});
       // A distant crossing would shrink the drawing: its line leaves the paper instead.
       constexpr double kRoom = 0.4;
       const glm::dvec2 room = kRoom * (*view_.boxHigh - *view_.boxLow);
@@ -193,11 +195,14 @@ class ViewBuilder {
   }
 
   void addPoints(const Ray& r) {
-    view_.points.push_back({SchematicPoint::Shading, paper(r.position), "P", {}});
-    view_.points.push_back({SchematicPoint::Origin, paper(glm::dvec3(0.0)), "C", {}});
-    if (r.hit) view_.points.push_back({SchematicPoint::Hit, paper(*r.hit), "H", {}});
-    if (r.trueHit) view_.points.push_back({SchematicPoint::TrueHit, paper(*r.trueHit), "", {}});
-    view_.points.push_back({SchematicPoint::Eye, paper(r.eye), "eye", {}});
+    const auto add = [&](SchematicPoint kind, const glm::dvec3& at, explained::Symbol label) {
+      view_.points.push_back({kind, paper(at), std::move(label), {}});
+    };
+    add(SchematicPoint::Shading, r.position, "P");
+    add(SchematicPoint::Origin, glm::dvec3(0.0), "C");
+    if (r.hit) add(SchematicPoint::Hit, *r.hit, "H");
+    if (r.trueHit) add(SchematicPoint::TrueHit, *r.trueHit, "");
+    add(SchematicPoint::Eye, r.eye, Phrase::tr("eye"));
     for (auto& point : view_.points) point.labelDirection = freeDirection(point.at);
   }
 
@@ -245,15 +250,15 @@ class ViewBuilder {
   bool seen_ = false;
 };
 
-std::string caption(const ProbeExplanation& p) {
-  if (!p.hitDistance) return "no box to hit: d and H are undefined";
+Phrase caption(const ProbeExplanation& p) {
+  if (!p.hitDistance) return Phrase::tr("no box to hit: d and H are undefined");
   const std::string d = fixedText(*p.hitDistance, kDecimals);
-  if (!p.slabFactors) return "d = " + d;
+  if (!p.slabFactors) return Phrase::plain("d = " + d);
   const auto t = [&](int axis) {
     const float value = (*p.slabFactors)[axis];
-    return value > 1e30f ? std::string("infinite") : fixedText(value, kDecimals);
+    return numberPhrase(value > 1e30f ? "infinite" : fixedText(value, kDecimals));
   };
-  return "d = min(t_x, t_y, t_z) = min(" + t(0) + ", " + t(1) + ", " + t(2) + ") = " + d;
+  return Phrase::tr("d = min(t_x, t_y, t_z) = min(%1, %2, %3) = %4").arg(t(0)).arg(t(1)).arg(t(2)).arg(d);
 }
 
 /// The probe to draw; null: none.
@@ -263,14 +268,14 @@ const ProbeExplanation* drawnProbe(const Explanation& e) {
 }
 
 ViewBuilder planOf() {
-  return {"Plan (from above)", 0, 2, false, true};
+  return {Phrase::tr("Plan (from above)"), 0, 2, false, true};
 }
 
 /// Looking along -z at the front (x to the right), or from the +x side (-z to the right).
 ViewBuilder elevationOf(const Ray& r) {
   const bool alongX = std::abs(r.reflection.x) >= std::abs(r.reflection.z);
-  return alongX ? ViewBuilder("Elevation (from the front)", 0, 1, false, false)
-                : ViewBuilder("Elevation (from the side)", 2, 1, true, false);
+  return alongX ? ViewBuilder(Phrase::tr("Elevation (from the front)"), 0, 1, false, false)
+                : ViewBuilder(Phrase::tr("Elevation (from the side)"), 2, 1, true, false);
 }
 
 }  // namespace

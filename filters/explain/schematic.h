@@ -16,7 +16,7 @@ enum class SchematicPoint { Eye, Shading, Hit, Origin, TrueHit, SlabPlane };
 
 /// One of the two drawings. Points are (right, up) on the paper, in scene units.
 struct SchematicView {
-  std::string title;          ///< "Plan", "Elevation"
+  Phrase title;               ///< "Plan (from above)"
   int right = 0, up = 1;      ///< the box axis of each direction of the paper
   bool rightFlipped = false;  ///< towards the negative axis
   bool upFlipped = false;
@@ -33,7 +33,7 @@ struct SchematicView {
   struct Point {
     SchematicPoint kind;
     glm::dvec2 at;
-    std::string label;
+    Phrase label;                         ///< a word, or letters
     glm::dvec2 labelDirection{0.0, 1.0};  ///< unit: away from the lines at the point
   };
   /// A plane of the box seen edge-on, where the extended ray crosses it.
@@ -51,7 +51,7 @@ struct SchematicView {
 struct Schematic {
   SchematicView plan;       ///< from above: x to the right, z towards the reader
   SchematicView elevation;  ///< from the side with the least foreshortening of the ray, y upwards
-  std::string caption;      ///< "d = min(t_x, t_y, t_z) = 2.12", or why there is none
+  Phrase caption;           ///< "d = min(t_x, t_y, t_z) = 2.12", or why there is none
 };
 
 /// Nothing without a surface, a normal or a probe to draw.

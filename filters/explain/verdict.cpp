@@ -32,17 +32,13 @@ double brightness(const glm::vec3& light) {
   return 0.2126 * double(light.x) + 0.7152 * double(light.y) + 0.0722 * double(light.z);
 }
 
-std::string inQuotes(const std::string& name) {
-  return "\"" + name + "\"";
-}
-
 std::string metres(double length) {
   return fixedText(length, 2) + " m";
 }
 
-std::string degrees(double angle) {
-  if (angle < 0.1) return "less than 0.1 degrees";
-  return fixedText(angle, angle < 10.0 ? 1 : 0) + " degrees";
+Phrase degrees(double angle) {
+  if (angle < 0.1) return Phrase::tr("less than 0.1 degrees");
+  return Phrase::tr("%1 degrees").arg(fixedText(angle, angle < 10.0 ? 1 : 0));
 }
 
 double degreesBetween(const glm::dvec3& a, const glm::dvec3& b) {
@@ -89,37 +85,40 @@ std::optional<Mend> widened(const Reach& reach) {
   mend.after = *reach.probe;
   Box influence = reach.probe->influenceBox();
   const glm::dvec3 size = influence.size();
-  std::string parts;
+  std::vector<Phrase> parts;
   for (int face = 0; face < 6; ++face) {
     const double by = blendAt(*reach.probe, face) - reach.inside[static_cast<std::size_t>(face)];
     if (by <= 0.0) continue;
     (face % 2 == 1 ? influence.max : influence.min)[face / 2] += face % 2 == 1 ? by : -by;
-    parts += (parts.empty() ? "" : ", ") + metres(by) + " at " + boxFaceName(face);
+    parts.push_back(Phrase::tr("%1 at %2").arg(metres(by)).arg(boxFaceName(face)));
   }
   const glm::dvec3 grown = influence.size() - size;
   if (parts.empty() || std::max({grown.x, grown.y, grown.z}) > std::max({size.x, size.y, size.z})) return std::nullopt;
   mend.after.influence = influence;
-  mend.words = "Widen the influence box of " + inQuotes(mend.probe) + ": " + parts;
+  mend.words = Phrase::tr("Widen the influence box of \"%1\": %2").arg(mend.probe).arg(commaList(parts));
   return mend;
 }
 
-std::string facesWhere(const Reach& reach, double least) {
-  std::string names;
+Phrase facesWhere(const Reach& reach, double least) {
+  Phrase names;
   for (int face = 0; face < 6; ++face) {
     const double inside = reach.inside[static_cast<std::size_t>(face)];
     const bool meant = least < 0.0 ? inside < 0.0 : inside < blendAt(*reach.probe, face);
-    if (meant) names += (names.empty() ? "" : " and ") + boxFaceName(face);
+    if (!meant) continue;
+    const Phrase name = Phrase::plain(boxFaceName(face));
+    names = names.empty() ? name : Phrase::tr("%1 and %2").arg(names).arg(name);
   }
   return names;
 }
 
 Verdict ofTheSky(const Explanation& e, const Scene& scene) {
-  const std::string sky =
-      e.skyWeight > 0.995f || e.dominant < 0 ? "The sky" : "The sky, at " + percent(double(e.skyWeight));
-  if (scene.probes.empty()) return {sky + ": the scene has no probe.", {}};
+  const Phrase sky = e.skyWeight > 0.995f || e.dominant < 0
+                         ? Phrase::tr("The sky")
+                         : Phrase::tr("The sky, at %1").arg(percent(double(e.skyWeight)));
+  if (scene.probes.empty()) return {Phrase::tr("%1: the scene has no probe.").arg(sky), {}};
   const auto object = scene.objects.find(e.surface.object);
   if (object != scene.objects.end() && object->second.probeUsage == ProbeUsage::Off) {
-    return {sky + ", because the probeMode of " + inQuotes(e.surface.object) + " is off.", {}};
+    return {Phrase::tr("%1, because the probeMode of \"%2\" is off.").arg(sky).arg(e.surface.object), {}};
   }
   Reach nearest;
   for (const Probe& probe : scene.probes) {
@@ -127,17 +126,20 @@ Verdict ofTheSky(const Explanation& e, const Scene& scene) {
     const bool nearer = nearest.probe == nullptr || reach.outside < nearest.outside;
     if (nearer) nearest = reach;
   }
-  const std::string name = inQuotes(nearest.probe->name);
+  const std::string& name = nearest.probe->name;
   if (nearest.outside > 0.0) {
-    const bool several = scene.probes.size() > 1;
-    return {sky + ", because " +
-                (several ? "every influence box ends short of this point; the nearest, of " : "the influence box of ") +
-                name + (several ? ", by " : " ends ") + metres(nearest.outside) +
-                (several ? "" : " short of this point") + " at " + facesWhere(nearest, -1.0) + ".",
-            widened(nearest)};
+    const Phrase sentence =
+        scene.probes.size() > 1
+            ? Phrase::tr(
+                  "%1, because every influence box ends short of this point; the nearest, of \"%2\", by %3 at %4.")
+            : Phrase::tr("%1, because the influence box of \"%2\" ends %3 short of this point at %4.");
+    return {sentence.arg(sky).arg(name).arg(metres(nearest.outside)).arg(facesWhere(nearest, -1.0)), widened(nearest)};
   }
-  if (e.probes.empty()) return {sky + ": no probe lights this object.", {}};
-  return {sky + ", because this point lies in the blend distance of " + name + " at " + facesWhere(nearest, 0.0) + ".",
+  if (e.probes.empty()) return {Phrase::tr("%1: no probe lights this object.").arg(sky), {}};
+  return {Phrase::tr("%1, because this point lies in the blend distance of \"%2\" at %3.")
+              .arg(sky)
+              .arg(name)
+              .arg(facesWhere(nearest, 0.0)),
           widened(nearest)};
 }
 
@@ -170,9 +172,9 @@ std::optional<Mend> movedFace(const ProbeExplanation& p, const Probe& probe, dou
   if (low[face.axis] > -kMinimumThickness || high[face.axis] < kMinimumThickness) return std::nullopt;
   const std::optional<double> left = errorWith(low, high, p);
   if (!left || *left > kWorthwhile * error) return std::nullopt;
-  Mend mend{"Move the " + boxFaceName(p.face) + " face of " + inQuotes(p.name) + (out > 0.0 ? " out by " : " in by ") +
-                metres(std::abs(out)),
-            p.name, probe};
+  const Phrase words = out > 0.0 ? Phrase::tr("Move the %1 face of \"%2\" out by %3")
+                                 : Phrase::tr("Move the %1 face of \"%2\" in by %3");
+  Mend mend{words.arg(boxFaceName(p.face)).arg(p.name).arg(metres(std::abs(out))), p.name, probe};
   setBox(mend.after, withFaceMoved(probe.box, probe.rotationDegrees, face, out, false, kMinimumThickness));
   return mend;
 }
@@ -181,7 +183,7 @@ std::optional<Mend> boxProjected(const ProbeExplanation& p, const Probe& probe, 
   const std::optional<double> left = errorWith(glm::dvec3(p.boxMin), glm::dvec3(p.boxMax), p);
   auto technique = parseTechnique(probe.technique);
   if (!left || !technique || *left > kWorthwhile * error) return std::nullopt;
-  Mend mend{"Project the lookups of " + inQuotes(p.name) + " on its box", p.name, probe};
+  Mend mend{Phrase::tr("Project the lookups of \"%1\" on its box").arg(p.name), p.name, probe};
   mend.after.projection = true;
   const Technique box = *parseTechnique("box");
   if (probeTechnique(mend.after) == withoutProjection(probeTechnique(mend.after))) {
@@ -192,70 +194,78 @@ std::optional<Mend> boxProjected(const ProbeExplanation& p, const Probe& probe, 
 }
 
 Verdict ofProbe(const ProbeExplanation& p, const Probe& probe) {
-  const std::string who = "Probe " + inQuotes(p.name) + (p.weight > 0.995f ? "" : ", at " + percent(double(p.weight)));
-  if (!p.captured) return {who + ": not captured yet, so it reflects nothing.", {}};
+  const Phrase who = p.weight > 0.995f ? Phrase::tr("Probe \"%1\"").arg(p.name)
+                                       : Phrase::tr("Probe \"%1\", at %2").arg(p.name).arg(percent(double(p.weight)));
+  if (!p.captured) return {Phrase::tr("%1: not captured yet, so it reflects nothing.").arg(who), {}};
   if (p.coverage && *p.coverage < 0.5f) {
-    return {who + ": it captured nothing in this direction, so the sky shows through it.", {}};
+    return {Phrase::tr("%1: it captured nothing in this direction, so the sky shows through it.").arg(who), {}};
   }
   if (!p.trueDistance) {
-    return {who + ": its capture origin does not see where this ray ends, so its error is unknown.", {}};
+    return {Phrase::tr("%1: its capture origin does not see where this ray ends, so its error is unknown.").arg(who),
+            {}};
   }
   const double error = degreesBetween(glm::dvec3(p.lookupDirection), trueDirection(p));
-  if (error < kRightDegrees) return {who + ", right to " + degrees(error) + ".", {}};
+  if (error < kRightDegrees) return {Phrase::tr("%1, right to %2.").arg(who).arg(degrees(error)), {}};
   if (!p.hitDistance) {
-    return {who + ", " + degrees(error) + " off: it is sampled by the reflection vector alone, without a hit point.",
+    return {Phrase::tr("%1, %2 off: it is sampled by the reflection vector alone, without a hit point.")
+                .arg(who)
+                .arg(degrees(error)),
             boxProjected(p, probe, error)};
   }
   const double behind = double(*p.trueDistance) - double(*p.hitDistance);
-  const std::string hit = p.face >= 0 ? "the " + boxFaceName(p.face) + " face of its box" : "its proxy";
-  return {who + ", " + degrees(error) + " off: the ray meets " + hit + " " + metres(std::abs(behind)) +
-              (behind > 0.0 ? " before" : " behind") + " the surface that is there.",
-          movedFace(p, probe, error)};
+  const Phrase hit =
+      p.face >= 0 ? Phrase::tr("the %1 face of its box").arg(boxFaceName(p.face)) : Phrase::tr("its proxy");
+  const Phrase sentence = behind > 0.0
+                              ? Phrase::tr("%1, %2 off: the ray meets %3 %4 before the surface that is there.")
+                              : Phrase::tr("%1, %2 off: the ray meets %3 %4 behind the surface that is there.");
+  return {sentence.arg(who).arg(degrees(error)).arg(hit).arg(metres(std::abs(behind))), movedFace(p, probe, error)};
 }
 
 // Other sources of light, if reflections are a small part; otherwise empty.
-std::string notReflected(const Explanation& e) {
+Phrase notReflected(const Explanation& e) {
   const double all = brightness(e.color);
   if (all <= 0.0) return {};
   const double reflected = brightness(e.specular + e.coat);
   if (reflected >= 0.1 * all) return {};
   struct Part {
     double light;
-    const char* name;
+    Phrase name;
   };
-  const Part parts[] = {{brightness(e.direct), "the light sources"},
-                        {brightness(e.emissive), "the surface itself"},
-                        {brightness(e.diffuse), "light from all around, scattered"}};
+  const Part parts[] = {{brightness(e.direct), Phrase::tr("the light sources")},
+                        {brightness(e.emissive), Phrase::tr("the surface itself")},
+                        {brightness(e.diffuse), Phrase::tr("light from all around, scattered")}};
   const Part& most = *std::max_element(std::begin(parts), std::end(parts),
                                        [](const Part& a, const Part& b) { return a.light < b.light; });
-  return "Hardly a reflection: " + percent(most.light / all) + " of this light is from " + most.name + ", " +
-         percent(reflected / all) + " is reflected.";
+  return Phrase::tr("Hardly a reflection: %1 of this light is from %2, %3 is reflected.")
+      .arg(percent(most.light / all))
+      .arg(most.name)
+      .arg(percent(reflected / all));
 }
 
 }  // namespace
 
 Verdict verdictOf(const Explanation& e, const Scene& scene) {
-  if (!e.hit) return {"The background: no surface is drawn here.", {}};
+  if (!e.hit) return {Phrase::tr("The background: no surface is drawn here."), {}};
   if (e.glass) {
     const double all = brightness(e.color);
-    return {
-        "Glass: " + percent(all > 0.0 ? brightness(e.glass->light()) / all : 0.0) + " of this light came through it.",
-        {}};
+    return {Phrase::tr("Glass: %1 of this light came through it.")
+                .arg(percent(all > 0.0 ? brightness(e.glass->light()) / all : 0.0)),
+            {}};
   }
   if (e.mirror && e.mirror->coverage > 0.5f) {
-    return {"The planar mirror's own picture: something that moves takes " + percent(double(e.mirror->coverage)) +
-                " of the reflection.",
+    return {Phrase::tr("The planar mirror's own picture: something that moves takes %1 of the reflection.")
+                .arg(percent(double(e.mirror->coverage))),
             {}};
   }
   Verdict verdict;
-  const std::string otherwise = notReflected(e);
+  const Phrase otherwise = notReflected(e);
   if (e.skyWeight >= 0.5f || e.dominant < 0) {
     verdict = ofTheSky(e, scene);
   } else {
     const ProbeExplanation& p = e.probes[static_cast<std::size_t>(e.dominant)];
     verdict = ofProbe(p, scene.probes[static_cast<std::size_t>(p.index)]);
   }
-  if (!otherwise.empty()) verdict.sentence = otherwise + " " + verdict.sentence;
+  if (!otherwise.empty()) verdict.sentence = Phrase::tr("%1 %2").arg(otherwise).arg(verdict.sentence);
   return verdict;
 }
 

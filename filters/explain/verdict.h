@@ -12,13 +12,13 @@ namespace boxprobe {
 
 /// An edit of one probe. It fixes this pixel; the error view shows its effect on others.
 struct Mend {
-  std::string words;  ///< description in the imperative: "Move the +x face of \"room\" out by 0.41 m"
+  Phrase words;       ///< description in the imperative: "Move the +x face of \"room\" out by 0.41 m"
   std::string probe;  ///< name of the probe
   Probe after;
 };
 
 struct Verdict {
-  std::string sentence;
+  Phrase sentence;
   std::optional<Mend> mend;
 };
 

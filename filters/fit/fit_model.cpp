@@ -85,14 +85,14 @@ std::vector<Camera> fileCameras(const Scene& scene, const TriangleRays::Models& 
 
 /// Lights the scene, and returns the reason in words. `stand` and `probe`: of an interior or a court with room to
 /// stand.
-std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const FitWishes& wishes,
-                  const std::vector<Light>& ofFile, const StandingPoint* stand, const Probe* probe) {
+Phrase light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const FitWishes& wishes,
+             const std::vector<Light>& ofFile, const StandingPoint* stand, const Probe* probe) {
   std::vector<Light> through;
   if (probe != nullptr) through = openingLights(rays, *probe);
-  std::string why = "the file has no light: ";
+  Phrase why = Phrase::tr("the file has no light: %1");
   if (wishes.light) {
     fit.light = *wishes.light;
-    why = "as you chose, ";
+    why = Phrase::tr("as you chose, %1");
   } else if (!ofFile.empty()) {
     fit.light = FitLight::File;
   } else if (fit.kind == ModelKind::Interior && probe != nullptr) {
@@ -102,32 +102,32 @@ std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const F
   }
   if (fit.light == FitLight::Ceiling && probe == nullptr) {
     fit.light = FitLight::Studio;
-    why = "there is no room with a ceiling: ";
+    why = Phrase::tr("there is no room with a ceiling: %1");
   }
   if (fit.light == FitLight::Openings && through.empty()) {
     fit.light = FitLight::Daylight;
-    why = "there are no openings: ";
+    why = Phrase::tr("there are no openings: %1");
   }
   fit.lightKnown = fit.light == FitLight::Studio;
   scene.sky = SkyGradient{};
   switch (fit.light) {
     case FitLight::File:
       scene.lights = ofFile;
-      if (ofFile.empty()) return "the file has no light, and you chose the file's";
-      return ofFile.size() == 1 ? "the light is the file's" : "the lights are the file's";
+      if (ofFile.empty()) return Phrase::tr("the file has no light, and you chose the file's");
+      return ofFile.size() == 1 ? Phrase::tr("the light is the file's") : Phrase::tr("the lights are the file's");
     case FitLight::Studio:
       scene.lights.clear();
       if (!wishes.studio.empty()) scene.sky = SkyImage{wishes.studio};
-      return why + "a studio lights it";
+      return why.arg(Phrase::tr("a studio lights it"));
     case FitLight::Ceiling:
       scene.lights = ceilingLights(*probe, *stand);
-      return why + "soft lamps hang under the ceiling";
+      return why.arg(Phrase::tr("soft lamps hang under the ceiling"));
     case FitLight::Openings:
       scene.lights = through;
-      return why + "the sky shines in through the openings";
+      return why.arg(Phrase::tr("the sky shines in through the openings"));
     case FitLight::Daylight:
       scene.lights = sunLight();
-      return why + "sky and sun light it";
+      return why.arg(Phrase::tr("sky and sun light it"));
   }
   return {};
 }
@@ -136,7 +136,7 @@ std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const F
 std::string sizeRemark(ModelKind kind, const Box& bounds, const ModelFile& file) {
   const glm::dvec3 size = bounds.size();
   const double largest = std::max({size.x, size.y, size.z});
-  const std::string extent = extentText(bounds);
+  const std::string extent = extentText(bounds).english();
   const LengthUnit likely = file.unit == LengthUnit::Metre ? likelyUnit(file.file, kind, largest) : LengthUnit::Metre;
   if (likely != LengthUnit::Metre) {
     const std::string unit = likely == LengthUnit::Centimetre ? "cm" : "mm";
@@ -176,8 +176,8 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
     probe = fit.box->probe;
     probe->influence = turnedInfluence(*whole, *probe);
   }
-  const std::string lit = light(scene, fit, rays, wishes, fileLights(scene, models),
-                                stands.empty() ? nullptr : &stands.front(), probe ? &*probe : nullptr);
+  const Phrase lit = light(scene, fit, rays, wishes, fileLights(scene, models),
+                           stands.empty() ? nullptr : &stands.front(), probe ? &*probe : nullptr);
 
   const std::vector<Camera> cameras = fileCameras(scene, models);
   const std::vector<glm::dvec3> corners = shownCorners(scene, models);
@@ -188,13 +188,14 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
   }
 
   fit.within = !stands.empty();
-  const std::string what = std::string("treated as ") +
-                           (fit.kind == ModelKind::Open       ? "an open place"
-                            : fit.kind == ModelKind::Interior ? "an interior"
-                                                              : "an object") +
-                           (wishes.kind ? " as you chose" : " (" + fit.survey.reason + ")");
-  const std::string reflects = probe ? "one probe within it" : "no probe, the surroundings alone are reflected";
-  fit.decided = what + "; " + reflects + "; " + lit;
+  const Phrase what = fit.kind == ModelKind::Open       ? Phrase::tr("an open place")
+                      : fit.kind == ModelKind::Interior ? Phrase::tr("an interior")
+                                                        : Phrase::tr("an object");
+  const Phrase treated = wishes.kind ? Phrase::tr("treated as %1 as you chose").arg(what)
+                                     : Phrase::tr("treated as %1 (%2)").arg(what).arg(fit.survey.reason);
+  const Phrase reflects =
+      probe ? Phrase::tr("one probe within it") : Phrase::tr("no probe, the surroundings alone are reflected");
+  fit.decided = Phrase::tr("%1; %2; %3").arg(treated).arg(reflects).arg(lit);
   if (probe) scene.probes = {*std::move(probe)};
   fit.guess = guessImport(scene, models, fit.kind, rays.bounds());
   const ModelFile& first = scene.models.front();

@@ -27,7 +27,7 @@ struct ModelFit {
   bool within = false;                ///< the camera is inside the model, and the sky is part of the picture
   bool lightKnown = true;             ///< the lights suit an exposure of 1; else the picture has to be metered
   std::optional<BoxFit> box;          ///< of the probe, if it has one: from the median distances to the fit
-  std::string decided;                ///< one or two sentences, for messages and `info`
+  Phrase decided;                     ///< one or two sentences, for messages and `info`
   std::vector<std::string> warnings;  ///< about a size that is unlikely in metres
   std::optional<ImportGuess> guess;   ///< a likely unit and up axis; empty if the file is plausible as it is
 };

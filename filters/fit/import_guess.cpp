@@ -88,11 +88,12 @@ LengthUnit likelyUnit(const std::string& file, ModelKind kind, double largest) {
   return largest <= size.centimetres ? LengthUnit::Centimetre : LengthUnit::Millimetre;
 }
 
-std::string extentText(const Box& bounds) {
+Phrase extentText(const Box& bounds) {
   const double largest = largestSide(bounds);
   const double digits = largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) - 1.0) : 1.0;
   const bool high = bounds.size().y >= largest;
-  return numberText(std::round(largest / digits) * digits) + " m " + (high ? "high" : "wide");
+  return (high ? Phrase::tr("%1 m high") : Phrase::tr("%1 m wide"))
+      .arg(numberText(std::round(largest / digits) * digits));
 }
 
 std::optional<ImportGuess> guessImport(const Scene& scene, const TriangleRays::Models& models, ModelKind kind,
@@ -109,11 +110,10 @@ std::optional<ImportGuess> guessImport(const Scene& scene, const TriangleRays::M
   const bool turned = zIsUp(scene, models, extension, kind, bounds);
   if (turned) guess.upAxis = UpAxis::Z;
   if (guess.unit == LengthUnit::Metre && !turned) return std::nullopt;
-  if (guess.unit != LengthUnit::Metre) guess.reason = "In metres it would be " + extentText(bounds);
-  if (turned) {
-    guess.reason += guess.reason.empty() ? "It seems" : ", and it seems";
-    guess.reason += " to lie on its side";
-  }
+  guess.reason = guess.unit == LengthUnit::Metre ? Phrase::tr("It seems to lie on its side")
+                 : turned ? Phrase::tr("In metres it would be %1, and it seems to lie on its side")
+                          : Phrase::tr("In metres it would be %1");
+  guess.reason = guess.reason.arg(extentText(bounds));
   return guess;
 }
 

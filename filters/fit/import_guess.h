@@ -13,7 +13,7 @@ namespace boxprobe {
 struct ImportGuess {
   LengthUnit unit = LengthUnit::Metre;
   UpAxis upAxis = UpAxis::Y;
-  std::string reason;  ///< one or two clauses: "In metres it would be 940 m wide, and it seems to lie on its side"
+  Phrase reason;  ///< one or two clauses: "In metres it would be 940 m wide, and it seems to lie on its side"
 };
 
 /// The unit in which `largest`, the longest side in metres as read, is plausible for a model of this kind; the
@@ -26,6 +26,6 @@ std::optional<ImportGuess> guessImport(const Scene& scene, const TriangleRays::M
                                        const Box& bounds);
 
 /// "940 m wide"; two digits.
-std::string extentText(const Box& bounds);
+Phrase extentText(const Box& bounds);
 
 }  // namespace boxprobe

@@ -77,20 +77,22 @@ void decide(ModelSurvey& survey) {
   constexpr double kRoom = 1.5;
   const bool large = survey.largest >= kRoom;
   const bool shell = survey.backOutside >= 0.4;
-  const std::string enclosed = percent(survey.enclosed) + " of the points within it are closed in by front sides";
+  const auto of = [](double share, const Phrase& what) { return what.arg(percent(share)); };
+  const Phrase enclosed = of(survey.enclosed, Phrase::tr("%1 of the points within it are closed in by front sides"));
   if (survey.enclosed >= (large ? 0.4 : 0.7) || (large && shell && survey.enclosed >= 0.08)) {
     survey.kind = ModelKind::Interior;
     survey.reason = enclosed;
   } else if (large && survey.solid < 0.35 && survey.walled >= 0.3 && survey.floored >= 0.5) {
     survey.kind = ModelKind::Open;
-    survey.reason = percent(survey.walled) + " of the points within it have a floor, walls around and sky above";
+    survey.reason =
+        of(survey.walled, Phrase::tr("%1 of the points within it have a floor, walls around and sky above"));
   } else if (large && survey.solid < 0.35 && survey.floored >= 0.6) {
     survey.kind = ModelKind::Open;
-    survey.reason = percent(survey.floored) + " of the points within it stand over a floor, below the sky";
+    survey.reason = of(survey.floored, Phrase::tr("%1 of the points within it stand over a floor, below the sky"));
   } else {
     survey.reason = survey.solid >= 0.35
-                        ? percent(survey.solid) + " of the points within it lie inside of it or see back sides"
-                        : percent(survey.sky) + " of the rays from points within it leave to the sky";
+                        ? of(survey.solid, Phrase::tr("%1 of the points within it lie inside of it or see back sides"))
+                        : of(survey.sky, Phrase::tr("%1 of the rays from points within it leave to the sky"));
   }
 }
 
@@ -111,7 +113,7 @@ const char* modelKindId(ModelKind kind) {
 ModelSurvey surveyModel(const TriangleRays& rays) {
   ModelSurvey survey;
   if (rays.empty()) {
-    survey.reason = "it has no surface that hides what is behind it";
+    survey.reason = Phrase::tr("it has no surface that hides what is behind it");
     return survey;
   }
   const Box core = rays.core();

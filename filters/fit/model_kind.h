@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/base/phrase.h"
 #include "filters/fit/rays/triangle_rays.h"
 
 namespace boxprobe {
@@ -39,7 +40,7 @@ struct ModelSurvey {
   double sky = 0.0;                                                 ///< share of the rays of all points that leave
   double backOutside = 0.0;  ///< share of back faces seen from outside: high for the inner shell of a room
   double largest = 0.0;      ///< longest side of the core, scene units
-  std::string reason;        ///< one sentence
+  Phrase reason;             ///< one sentence
 };
 
 /// `points` are a deterministic jittered grid.

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "filters/core/base/number_text.h"
 #include "filters/fit/place_cover.h"
 #include "filters/fit/place_eyes.h"
 #include "filters/fit/place_influence.h"
@@ -35,11 +35,8 @@ double secondsSince(const Clock::time_point& begun) {
   return std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-template <class... Values>
-std::string sentence(const char* format, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
+std::string decimals(double value, int count = 2) {
+  return decimalText(value, count);
 }
 
 /// Do rays in every direction meet mostly back faces? With inverted faces this is a room.
@@ -182,23 +179,26 @@ class Placer {
       placement_.rooms[doorway.a].doorways.push_back(doorway);
       placement_.rooms[doorway.b].doorways.push_back({doorway.b, doorway.a, doorway.area, -doorway.normal});
     }
-    std::vector<std::string>& remarks = placement_.remarks;
+    std::vector<Phrase>& remarks = placement_.remarks;
     if (rooms_.rooms.empty()) {
       const double least = std::pow(0.45 * rooms_.region.height, 3.0);
       const bool backs = space.backVolume > std::max(least, 0.0) && !space.backsAreFronts;
-      remarks.push_back(backs ? "no room was found: back sides of surfaces close in the space within; if it is a room, "
-                                "its faces are inverted: turn them over, or use --as interior"
-                              : "open: no room was found; nothing is closed in by a floor and walls");
+      remarks.push_back(
+          backs
+              ? Phrase::tr("no room was found: back sides of surfaces close in the space within; if it is a room, its "
+                           "faces are inverted: turn them over, or use --as interior")
+              : Phrase::tr("open: no room was found; nothing is closed in by a floor and walls"));
       placement_.kept = scene_.probes;
-      if (!scene_.probes.empty()) remarks.push_back("the scene's probes stay");
+      if (!scene_.probes.empty()) remarks.push_back(Phrase::tr("the scene's probes stay"));
     } else if (space.backsAreFronts) {
-      remarks.push_back("the walls show their back sides to the rooms: the model's faces are inverted");
+      remarks.push_back(Phrase::tr("the walls show their back sides to the rooms: the model's faces are inverted"));
     }
     if (rooms_.hollows > 0) {
-      remarks.push_back(sentence("%d closed spaces are too small for a room and have no probe", rooms_.hollows));
+      remarks.push_back(Phrase::tr("%1 closed spaces are too small for a room and have no probe")
+                            .arg(std::to_string(rooms_.hollows)));
     }
     if (space.cell > 0.1001 * rooms_.region.height) {
-      remarks.push_back("the model is very large for the height of its rooms: doors may be missed");
+      remarks.push_back(Phrase::tr("the model is very large for the height of its rooms: doors may be missed"));
     }
   }
 
@@ -214,11 +214,10 @@ class Placer {
       const std::optional<std::size_t> room = roomAt(probe.origin);
       if (room) {
         held_.push_back(*room);
-        placement_.rooms[*room].decisions.push_back("it has the probe " + probe.name + ", which is kept");
+        placement_.rooms[*room].decisions.push_back(Phrase::tr("it has the probe %1, which is kept").arg(probe.name));
       } else {
-        placement_.remarks.push_back(probe.name +
-                                     ": its origin is in no room, inside of a wall or in the open; it is "
-                                     "kept");
+        placement_.remarks.push_back(
+            Phrase::tr("%1: its origin is in no room, inside of a wall or in the open; it is kept").arg(probe.name));
       }
     }
   }
@@ -237,11 +236,13 @@ class Placer {
       if (holds(i)) continue;
       placed.reflects = reflects(rooms_.rooms[i], rays_.back());
       if (!placed.reflects) {
-        placed.decisions.push_back("left out: it has no ceiling, and no surface in it is smoother than roughness 0.6");
+        placed.decisions.push_back(
+            Phrase::tr("left out: it has no ceiling, and no surface in it is smoother than roughness 0.6"));
         continue;
       }
       if (full()) {
-        placed.decisions.push_back(sentence("left out: no more than %zu probes were asked for", settings_.most));
+        placed.decisions.push_back(
+            Phrase::tr("left out: no more than %1 probes were asked for").arg(std::to_string(settings_.most)));
         continue;
       }
       const std::optional<BoxFit> fit = fitOf(roomFit(i), rooms_.rooms[i].cells, part(from, from + 0.4 / roomCount()));
@@ -252,8 +253,9 @@ class Placer {
     for (PlacedProbe& placed : placement_.probes) {
       const LitErrors errors = litErrors(fitter_, rays_[placed.room], {placed.probe});
       placed.gainDegrees = kHiddenDegrees - errors.meanDegrees;
-      placement_.rooms[placed.room].decisions.push_back(
-          sentence("its first probe leaves %.2f of %.0f degrees", errors.meanDegrees, kHiddenDegrees));
+      placement_.rooms[placed.room].decisions.push_back(Phrase::tr("its first probe leaves %1 of %2 degrees")
+                                                            .arg(decimals(errors.meanDegrees))
+                                                            .arg(decimals(kHiddenDegrees, 0)));
     }
     return true;
   }
@@ -294,7 +296,7 @@ class Placer {
   }
 
   bool placeInPartsOf(std::size_t room, std::size_t first, double from) {
-    std::vector<std::string>& decisions = placement_.rooms[room].decisions;
+    std::vector<Phrase>& decisions = placement_.rooms[room].decisions;
     std::vector<Probe> chosen = {placement_.probes[first].probe};
     double error = litErrors(fitter_, rays_[room], chosen).meanDegrees;
     const auto needed = [&] { return settings_.leastGain * (kHiddenDegrees - error); };
@@ -320,16 +322,19 @@ class Placer {
         if (cost < least) best = i, least = cost;
       }
       if (error - least < needed()) {
-        decisions.push_back(sentence("of %zu more places the best gains %.2f degrees; %.2f are needed",
-                                     candidates.size(), error - least, needed()));
+        decisions.push_back(Phrase::tr("of %1 more places the best gains %2 degrees; %3 are needed")
+                                .arg(std::to_string(candidates.size()))
+                                .arg(decimals(error - least))
+                                .arg(decimals(needed())));
         break;
       }
       if (full()) {
-        decisions.push_back(sentence("one more would gain %.2f degrees; no more than %zu probes were asked for",
-                                     error - least, settings_.most));
+        decisions.push_back(Phrase::tr("one more would gain %1 degrees; no more than %2 probes were asked for")
+                                .arg(decimals(error - least))
+                                .arg(std::to_string(settings_.most)));
         break;
       }
-      decisions.push_back(sentence("one more gains %.2f degrees", error - least));
+      decisions.push_back(Phrase::tr("one more gains %1 degrees").arg(decimals(error - least)));
       candidates[best].gainDegrees = error - least;
       error = least;
       chosen.push_back(candidates[best].probe);
@@ -340,8 +345,8 @@ class Placer {
     chosen.erase(chosen.begin());
     const double without = litErrors(fitter_, rays_[room], chosen).meanDegrees;
     if (without - error >= needed()) return true;
-    decisions.push_back(
-        sentence("the others cover its first probe, which gains only %.2f degrees: left out", without - error));
+    decisions.push_back(Phrase::tr("the others cover its first probe, which gains only %1 degrees: left out")
+                            .arg(decimals(without - error)));
     placement_.probes.erase(placement_.probes.begin() + static_cast<std::ptrdiff_t>(first));
     return true;
   }
@@ -360,8 +365,8 @@ class Placer {
     const double bare = placement_.bareAfter;
     probes.push_back(*std::move(outside));
     placement_.bareAfter = bareShare(seen, placement_.all());
-    probes.back().reason = sentence("for what is seen outside of the rooms: %.1f %% of all surfaces",
-                                    100.0 * (bare - placement_.bareAfter));
+    probes.back().reason = Phrase::tr("for what is seen outside of the rooms: %1 % of all surfaces")
+                               .arg(decimals(100.0 * (bare - placement_.bareAfter), 1));
   }
 
   /// Where influence boxes overlap, the more important probe is the one with which both rooms together have the smaller
@@ -472,12 +477,13 @@ class Placer {
           std::count_if(placement_.probes.begin(), placement_.probes.end(),
                         [&](const PlacedProbe& each) { return each.room == placed.room && !each.surroundings; });
       if (sameRoom == 1) {
-        placed.reason = "the only one of " + room;
+        placed.reason = Phrase::tr("the only one of %1").arg(room);
       } else if (!placed.part) {
-        placed.reason = "for all of " + room;
+        placed.reason = Phrase::tr("for all of %1").arg(room);
       } else {
-        placed.reason = "for a part of " + room +
-                        sentence(", where it lowers the lookup error by %.2f degrees", placed.gainDegrees);
+        placed.reason = Phrase::tr("for a part of %1, where it lowers the lookup error by %2 degrees")
+                            .arg(room)
+                            .arg(decimals(placed.gainDegrees));
       }
     }
     nameProbes(placement_);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/base/phrase.h"
 #include "filters/fit/lit_errors.h"
 #include "filters/fit/placed_probe.h"
 #include "filters/fit/rooms/find_rooms.h"
@@ -27,14 +28,14 @@ struct PlacedRoom {
   double yawDegrees = 0.0;
   glm::dvec3 middleWorld{0.0};
   double volume = 0.0;
-  std::vector<Doorway> doorways;       ///< `a` is this room
-  bool outdoors = false;               ///< a court or garden
-  bool reflects = true;                ///< false: it has no ceiling and only rough surfaces, and is ignored
-  std::size_t parts = 1;               ///< number of parts between narrow places
-  LitErrors before, after;             ///< with the scene's own probes; with the placed probes
-  std::vector<Camera> eyes;            ///< of people standing in it, 1.2 to 1.8 m above the floor, far from each other
-  std::vector<glm::dvec3> origins;     ///< free places for a capture: far from surfaces, and near the middle
-  std::vector<std::string> decisions;  ///< sentences without a full stop: every probe that was tried, and the result
+  std::vector<Doorway> doorways;    ///< `a` is this room
+  bool outdoors = false;            ///< a court or garden
+  bool reflects = true;             ///< false: it has no ceiling and only rough surfaces, and is ignored
+  std::size_t parts = 1;            ///< number of parts between narrow places
+  LitErrors before, after;          ///< with the scene's own probes; with the placed probes
+  std::vector<Camera> eyes;         ///< of people standing in it, 1.2 to 1.8 m above the floor, far from each other
+  std::vector<glm::dvec3> origins;  ///< free places for a capture: far from surfaces, and near the middle
+  std::vector<Phrase> decisions;    ///< sentences without a full stop: every probe that was tried, and the result
 };
 
 struct Placement {
@@ -43,7 +44,7 @@ struct Placement {
   std::vector<Probe> kept;                   ///< of the scene; all of them if there are no rooms
   LitErrors before, after;                   ///< of all rooms, weighted by volume
   double bareBefore = 0.0, bareAfter = 0.0;  ///< share of what is seen from the rooms that no probe lights
-  std::vector<std::string> remarks;
+  std::vector<Phrase> remarks;
   double cell = 0.0;  ///< cell size of the free space, scene units
   std::size_t cells = 0;
   double roomSeconds = 0.0, seconds = 0.0;

@@ -276,7 +276,7 @@ TEST_F(GlTrouble, EachStepGivesUpOneThingAndTheyEnd) {
   std::shared_ptr<const ProbeBinding> at = std::make_shared<ProbeBinding>(whole);
   while (const auto less = withLess(*at)) {
     at = less;
-    said.push_back(givenUpText(at->givenUp, 0));
+    said.push_back(givenUpText(at->givenUp, 0).english());
     EXPECT_TRUE(keys.insert(at->variantKey()).second) << said.back();
     ASSERT_LT(said.size(), 20u);
   }

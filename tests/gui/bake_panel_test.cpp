@@ -321,8 +321,8 @@ TEST(TimeLeft, IsWhatIsLeftAtTheSpeedSoFar) {
   ASSERT_TRUE(seconds);
   EXPECT_NEAR(*seconds, 15.0, 1e-9);
   EXPECT_FALSE(left.update(0.1, 16.0)) << "work was added: the old speed says nothing";
-  EXPECT_EQ(TimeLeft::text(12.3), "12 s left");
-  EXPECT_EQ(TimeLeft::text(240.0), "4 min left");
+  EXPECT_EQ(TimeLeft::text(12.3).english(), "12 s left");
+  EXPECT_EQ(TimeLeft::text(240.0).english(), "4 min left");
 }
 
 }  // namespace

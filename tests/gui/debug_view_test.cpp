@@ -288,7 +288,8 @@ TEST_F(DebugViewTest, RaysFromEverySource) {
   } sources[] = {{RaySource::Clicked, 6}, {RaySource::Object, 40}, {RaySource::Line, 40}, {RaySource::Screen, 40}};
   for (const auto& [source, least] : sources) {
     choose("raySource", static_cast<int>(source));
-    EXPECT_GE(debug().rays().rays(), least) << static_cast<int>(source) << ": " << debug().rays().status();
+    EXPECT_GE(debug().rays().rays(), least)
+        << static_cast<int>(source) << ": " << debug().rays().status().toStdString();
     keep(QString("rays-%1").arg(static_cast<int>(source)));
   }
   // A grid over the picture stays when the tool goes off, and goes with its own switch.

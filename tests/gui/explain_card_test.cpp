@@ -61,15 +61,16 @@ TEST_F(ExplainCardTest, TheVerdictStandsFirstAndItsMendIsAButton) {
   auto* sentence = card_.findChild<QLabel*>("verdict");
   auto* button = card_.findChild<QPushButton*>("mend");
   EXPECT_FALSE(sentence->isVisible());
-  Verdict verdict{"The sky, because \"room\" ends short.", Mend{"Widen it", "room", room_.probe}};
+  Verdict verdict{Phrase::plain("The sky, because \"room\" ends short."),
+                  Mend{Phrase::plain("Widen it"), "room", room_.probe}};
   verdict.mend->after.blendDistance.min.x = 0.25;
   card_.show(room_.explain(), verdict, 1.0);
-  EXPECT_EQ(sentence->text(), QString::fromStdString(verdict.sentence) + "\nWiden it.");
+  EXPECT_EQ(sentence->text(), QString::fromStdString(verdict.sentence.english()) + "\nWiden it.");
   Probe asked;
   QObject::connect(&card_, &ExplainCard::mendRequested, [&](const Mend& mend) { asked = mend.after; });
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_TRUE(asked == verdict.mend->after);
-  card_.show(room_.explain(), {"Probe \"room\", right to 0.2 degrees.", {}}, 1.0);
+  card_.show(room_.explain(), {Phrase::plain("Probe \"room\", right to 0.2 degrees."), {}}, 1.0);
   EXPECT_FALSE(button->isVisible());
   card_.showHint("E");
   EXPECT_FALSE(sentence->isVisible());
@@ -104,8 +105,8 @@ TEST_F(ExplainCardTest, OutlinesTheTexelsOnTheFaceThatIsHit) {
 TEST(ExplanationHtml, TypesetsColorsAndSymbols) {
   EXPECT_EQ(displayColor(glm::vec3(0.25f), 4.0), QColor(Qt::white));
   EXPECT_EQ(displayColor(glm::vec3(-1.0f), 1.0), QColor(Qt::black));
-  EXPECT_TRUE(symbolHtml("t_x").contains("<sub>x</sub>"));
-  EXPECT_FALSE(symbolHtml("direct").contains("italic")) << "a word is no symbol";
+  EXPECT_TRUE(symbolHtml(Phrase::plain("t_x")).contains("<sub>x</sub>"));
+  EXPECT_FALSE(symbolHtml(Phrase::tr("direct")).contains("italic")) << "a word is no symbol";
 }
 
 }  // namespace

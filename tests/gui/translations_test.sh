@@ -14,7 +14,7 @@ for language in de zh_CN; do
   committed=$project/app/gui/translations/boxprobe_$language.ts
   copy=$folder/boxprobe_$language.ts
   cp "$committed" "$copy"
-  (cd "$project" && "$lupdate" app -I . -extensions cpp,h -no-obsolete -locations none -ts "$copy") >"$folder/log" 2>&1 ||
+  (cd "$project" && "$lupdate" app filters -I . -extensions cpp,h -no-obsolete -locations none -ts "$copy") >"$folder/log" 2>&1 ||
     { cat "$folder/log"; exit 1; }
   if ! diff <(sources "$committed") <(sources "$copy") >"$folder/difference"; then
     echo "boxprobe_$language.ts: not up to date (<: no longer in the source, >: not yet translated); see app/gui/translations/README.md"

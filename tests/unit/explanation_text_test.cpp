@@ -106,7 +106,8 @@ TEST(ExplanationText, SharesOfTexelsAddUpAndLongListsAreSummedUp) {
   const auto shares = [](const std::vector<ExplanationSection>& sections) {
     double sum = 0.0;
     for (const auto& section : sections) {
-      for (const auto& row : section.rows) sum += row.detail && row.symbol.front() != '<' ? std::stod(row.symbol) : 0.0;
+      for (const auto& row : section.rows)
+        sum += row.detail && row.symbol.english().front() != '<' ? std::stod(row.symbol.english()) : 0.0;
     }
     return sum;
   };
@@ -128,7 +129,7 @@ TEST(ExplanationText, ABackgroundPixelHasNothingButItsColor) {
   e.x = 3;
   e.y = 4;
   e.color = {0.1f, 0.2f, 0.3f};
-  e.notes = {"No surface: the pixel shows the sky."};
+  e.notes = {Phrase::plain("No surface: the pixel shows the sky.")};
   const std::string text = explanationText(e);
   EXPECT_THAT(text, HasSubstr("Pixel 3, 4: the background\n  ! No surface"));
   EXPECT_EQ(lines(text).size(), 3u) << text;

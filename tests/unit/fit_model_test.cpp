@@ -100,7 +100,7 @@ TEST(StandingPoints, AStepIsAFloorAndATableIsNot) {
 
 TEST(ModelKind, ABoxSeenFromWithinIsAnInterior) {
   const Fitted room = fitted(closedRoom());
-  EXPECT_EQ(room.fit.kind, ModelKind::Interior) << room.fit.decided;
+  EXPECT_EQ(room.fit.kind, ModelKind::Interior) << room.fit.decided.english();
   EXPECT_EQ(fitted(roomWithWindow()).fit.kind, ModelKind::Interior);
 }
 
@@ -241,17 +241,20 @@ TEST(FitModel, SaysWhoChoseTheLight) {
   using testing::EndsWith;
   Model lit = closedRoom();
   lit.lights.emplace_back();
-  EXPECT_THAT(fitted(lit).fit.decided, EndsWith("the light is the file's"));
-  EXPECT_THAT(fitted(ball()).fit.decided, EndsWith("the file has no light: a studio lights it"));
+  EXPECT_THAT(fitted(lit).fit.decided.english(), EndsWith("the light is the file's"));
+  EXPECT_THAT(fitted(ball()).fit.decided.english(), EndsWith("the file has no light: a studio lights it"));
   FitWishes wishes;
   wishes.light = FitLight::Studio;
-  EXPECT_THAT(fitted(lit, wishes).fit.decided, EndsWith("as you chose, a studio lights it"));
+  EXPECT_THAT(fitted(lit, wishes).fit.decided.english(), EndsWith("as you chose, a studio lights it"));
   wishes.light = FitLight::File;
-  EXPECT_THAT(fitted(ball(), wishes).fit.decided, EndsWith("the file has no light, and you chose the file's"));
+  EXPECT_THAT(fitted(ball(), wishes).fit.decided.english(),
+              EndsWith("the file has no light, and you chose the file's"));
   wishes.light = FitLight::Ceiling;
-  EXPECT_THAT(fitted(ball(), wishes).fit.decided, EndsWith("there is no room with a ceiling: a studio lights it"));
+  EXPECT_THAT(fitted(ball(), wishes).fit.decided.english(),
+              EndsWith("there is no room with a ceiling: a studio lights it"));
   wishes.light = FitLight::Openings;
-  EXPECT_THAT(fitted(closedRoom(), wishes).fit.decided, EndsWith("there are no openings: sky and sun light it"));
+  EXPECT_THAT(fitted(closedRoom(), wishes).fit.decided.english(),
+              EndsWith("there are no openings: sky and sun light it"));
 }
 
 TEST(FitModel, SaysSizesThatAreUnlikelyInMetres) {

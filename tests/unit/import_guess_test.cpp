@@ -56,7 +56,7 @@ TEST(ImportGuess, ARoomInCentimetresOrMillimetres) {
   ASSERT_TRUE(centimetres);
   EXPECT_EQ(centimetres->unit, LengthUnit::Centimetre);
   EXPECT_EQ(centimetres->upAxis, UpAxis::Y);
-  EXPECT_EQ(centimetres->reason, "In metres it would be 800 m wide");
+  EXPECT_EQ(centimetres->reason.english(), "In metres it would be 800 m wide");
   const auto millimetres = guessOf("room.obj", boxModel(kFlatRoom, true), scaled(1000.0));
   ASSERT_TRUE(millimetres);
   EXPECT_EQ(millimetres->unit, LengthUnit::Millimetre);

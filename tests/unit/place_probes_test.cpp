@@ -90,7 +90,7 @@ TEST(PlaceProbes, PlacesNoMoreThanAskedAndSaysSo) {
   ASSERT_EQ(placement->probes.size(), 1u);
   EXPECT_EQ(placement->probes[0].room, 0u) << "the larger room comes first";
   ASSERT_FALSE(placement->rooms[1].decisions.empty());
-  EXPECT_EQ(placement->rooms[1].decisions[0], "left out: no more than 1 probes were asked for");
+  EXPECT_EQ(placement->rooms[1].decisions[0].english(), "left out: no more than 1 probes were asked for");
 }
 
 TEST(PlaceProbes, KeepsProbesAndFillsTheOtherRooms) {
@@ -112,7 +112,7 @@ TEST(PlaceProbes, KeepsProbesAndFillsTheOtherRooms) {
   EXPECT_EQ(placement->probes[0].probe.name, "room 2");
   EXPECT_EQ(placement->kept.size(), 2u);
   ASSERT_EQ(placement->remarks.size(), 1u);
-  EXPECT_EQ(placement->remarks[0].rfind("in the wall: its origin is in no room", 0), 0u);
+  EXPECT_EQ(placement->remarks[0].english().rfind("in the wall: its origin is in no room", 0), 0u);
 }
 
 TEST(PlaceProbes, ALongRoomGetsMoreWhereTheyGain) {
@@ -163,7 +163,7 @@ TEST(PlaceProbes, LeavesARoomsFirstProbeOutWhereTheOthersCoverIt) {
   const std::optional<Placement> placement = flatOf(std::move(made.model)).place(settings);
   ASSERT_TRUE(placement);
   ASSERT_EQ(placement->rooms.size(), 1u);
-  const std::vector<std::string>& decisions = placement->rooms.front().decisions;
+  const std::vector<std::string> decisions = english(placement->rooms.front().decisions);
   ASSERT_FALSE(decisions.empty());
   EXPECT_NE(decisions.back().find("the others cover its first probe"), std::string::npos) << decisions.back();
   ASSERT_EQ(placement->probes.size(), 2u);
@@ -179,7 +179,7 @@ TEST(PlaceProbes, SaysWhatStandsInTheWay) {
   ASSERT_TRUE(open);
   EXPECT_TRUE(open->probes.empty());
   ASSERT_EQ(open->remarks.size(), 1u);
-  EXPECT_EQ(open->remarks[0].rfind("open: ", 0), 0u);
+  EXPECT_EQ(open->remarks[0].english().rfind("open: ", 0), 0u);
 
   MadeModel block;  // a thing with nothing to stand in
   block.box({glm::dvec3(-2), glm::dvec3(2)}, false);
@@ -187,7 +187,7 @@ TEST(PlaceProbes, SaysWhatStandsInTheWay) {
   const std::optional<Placement> solid = flatOf(block.model).place();
   ASSERT_TRUE(solid);
   EXPECT_TRUE(solid->probes.empty());
-  EXPECT_NE(solid->remarks[0].find("inverted"), std::string::npos);
+  EXPECT_NE(solid->remarks[0].english().find("inverted"), std::string::npos);
 }
 
 TEST(PlaceProbes, InvertedFacesAreWallsWhereACameraStandsAmongThem) {
@@ -199,7 +199,7 @@ TEST(PlaceProbes, InvertedFacesAreWallsWhereACameraStandsAmongThem) {
   ASSERT_TRUE(placement);
   expectFlat(*placement, wishes);
   ASSERT_FALSE(placement->remarks.empty());
-  EXPECT_NE(placement->remarks[0].find("inverted"), std::string::npos);
+  EXPECT_NE(placement->remarks[0].english().find("inverted"), std::string::npos);
 }
 
 TEST(PlaceProbes, MirrorsAllAroundAreWalls) {

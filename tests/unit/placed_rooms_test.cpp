@@ -70,7 +70,8 @@ TEST(PlacedRooms, AreCalledAsTheirObjects) {
   for (const PlacedProbe& placed : placement->probes) {
     EXPECT_TRUE(names.insert(placed.probe.name).second) << placed.probe.name;
     EXPECT_EQ(placed.probe.name.rfind(placement->rooms[placed.room].name, 0), 0u) << placed.probe.name;
-    EXPECT_NE(placed.reason.find(placement->rooms[placed.room].name), std::string::npos) << placed.reason;
+    EXPECT_NE(placed.reason.english().find(placement->rooms[placed.room].name), std::string::npos)
+        << placed.reason.english();
   }
 }
 
@@ -343,7 +344,7 @@ TEST(PlacedRooms, GlassAllAroundIsNoRoom) {
   ASSERT_TRUE(placement);
   EXPECT_TRUE(placement->rooms.empty());
   ASSERT_EQ(placement->remarks.size(), 1u);
-  EXPECT_EQ(placement->remarks[0].rfind("open: ", 0), 0u);
+  EXPECT_EQ(placement->remarks[0].english().rfind("open: ", 0), 0u);
 }
 
 }  // namespace

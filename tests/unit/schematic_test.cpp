@@ -64,7 +64,8 @@ TEST(Schematic, MarksThePlaneThatDecidesAndShowsTheOthersBeyond) {
   EXPECT_GE(drawn->elevation.high.x, 3.5) << "what is drawn must be seen";
   // R has no part along z: that plane is never crossed and not drawn.
   EXPECT_EQ(drawn->plan.planes.size(), 1u);
-  EXPECT_NE(drawn->caption.find("min(2.12, 4.24, infinite) = 2.12"), std::string::npos) << drawn->caption;
+  EXPECT_NE(drawn->caption.english().find("min(2.12, 4.24, infinite) = 2.12"), std::string::npos)
+      << drawn->caption.english();
 }
 
 TEST(Schematic, ChoosesTheElevationThatShowsTheRayLongest) {
@@ -85,7 +86,7 @@ TEST(Schematic, LabelsKeepAwayFromTheLinesOfTheirPoint) {
       for (const auto& l : view->lines) {
         if (glm::length(l.to - l.from) < 1e-6) continue;
         if (glm::length(l.from - p.at) < 1e-6) {
-          EXPECT_LT(glm::dot(glm::normalize(l.to - l.from), p.labelDirection), 0.95) << p.label;
+          EXPECT_LT(glm::dot(glm::normalize(l.to - l.from), p.labelDirection), 0.95) << p.label.english();
         }
       }
     }
@@ -114,7 +115,7 @@ TEST(Schematic, WithoutABoxTheRayGoesOnAndTheCaptionSaysSo) {
   ASSERT_TRUE(drawn);
   EXPECT_FALSE(drawn->plan.boxLow);
   EXPECT_TRUE(drawn->elevation.planes.empty());
-  EXPECT_NE(drawn->caption.find("undefined"), std::string::npos);
+  EXPECT_NE(drawn->caption.english().find("undefined"), std::string::npos);
 }
 
 // The same points, and the eye always on the paper.
@@ -127,8 +128,8 @@ TEST(Schematic, AnInsetHasTheRayAndNoDistances) {
     EXPECT_TRUE(inset->planes.empty());
     for (const auto& shown : inset->points) {
       EXPECT_NE(shown.kind, SchematicPoint::SlabPlane);
-      EXPECT_TRUE(shown.at.x >= inset->low.x && shown.at.x <= inset->high.x) << shown.label;
-      EXPECT_TRUE(shown.at.y >= inset->low.y && shown.at.y <= inset->high.y) << shown.label;
+      EXPECT_TRUE(shown.at.x >= inset->low.x && shown.at.x <= inset->high.x) << shown.label.english();
+      EXPECT_TRUE(shown.at.y >= inset->low.y && shown.at.y <= inset->high.y) << shown.label.english();
     }
     expectAt(line(*inset, SchematicLine::Reflected).to, 2.0, elevation ? 0.5 : 0.0);
     expectAt(line(*inset, SchematicLine::Lookup).from, 0.0, 0.0);

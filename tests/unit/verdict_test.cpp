@@ -41,7 +41,7 @@ struct JudgedRoom : ExplainedRoom {
 
 TEST(Verdict, ABoxOnTheWallsIsRight) {
   const Verdict verdict = JudgedRoom().judge();
-  EXPECT_THAT(verdict.sentence, StartsWith("Probe \"room\", right to less than 0.1 degrees"));
+  EXPECT_THAT(verdict.sentence.english(), StartsWith("Probe \"room\", right to less than 0.1 degrees"));
   EXPECT_FALSE(verdict.mend);
 }
 
@@ -52,16 +52,16 @@ TEST(Verdict, AWrongFaceIsNamedAndItsMendMakesItRight) {
     const Box right = room.probe.box;
     setBox(room.probe, withFaceMoved(right, room.probe.rotationDegrees, {0, true}, 0.6, false, kMinimumThickness));
     const Verdict verdict = room.judge();
-    EXPECT_THAT(verdict.sentence, HasSubstr("degrees off: the ray meets the +x face of its box 0."));
-    EXPECT_THAT(verdict.sentence, HasSubstr(" m behind the surface that is there."));
+    EXPECT_THAT(verdict.sentence.english(), HasSubstr("degrees off: the ray meets the +x face of its box 0."));
+    EXPECT_THAT(verdict.sentence.english(), HasSubstr(" m behind the surface that is there."));
     ASSERT_TRUE(verdict.mend);
-    EXPECT_EQ(verdict.mend->words, "Move the +x face of \"room\" in by 0.60 m");
+    EXPECT_EQ(verdict.mend->words.english(), "Move the +x face of \"room\" in by 0.60 m");
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(verdict.mend->after.box.min[axis], right.min[axis], 1e-5);
       EXPECT_NEAR(verdict.mend->after.box.max[axis], right.max[axis], 1e-5);
     }
     room.probe = verdict.mend->after;
-    EXPECT_THAT(room.judge().sentence, HasSubstr("right to less than 0.1 degrees"));
+    EXPECT_THAT(room.judge().sentence.english(), HasSubstr("right to less than 0.1 degrees"));
   }
 }
 
@@ -69,7 +69,7 @@ TEST(Verdict, TheReflectionVectorAloneIsToldToUseTheBox) {
   JudgedRoom room;
   room.probe.technique = "infinite+footprint4";
   Verdict verdict = room.judge();
-  EXPECT_THAT(verdict.sentence, HasSubstr("sampled by the reflection vector alone"));
+  EXPECT_THAT(verdict.sentence.english(), HasSubstr("sampled by the reflection vector alone"));
   ASSERT_TRUE(verdict.mend);
   EXPECT_EQ(verdict.mend->after.technique, "footprint4");
   room.probe.technique = "box";
@@ -78,7 +78,7 @@ TEST(Verdict, TheReflectionVectorAloneIsToldToUseTheBox) {
   ASSERT_TRUE(verdict.mend);
   EXPECT_TRUE(verdict.mend->after.projection);
   room.probe = verdict.mend->after;
-  EXPECT_THAT(room.judge().sentence, HasSubstr("right to"));
+  EXPECT_THAT(room.judge().sentence.english(), HasSubstr("right to"));
 }
 
 TEST(Verdict, TheSkyNamesTheInfluenceBoxThatEndsShort) {
@@ -86,12 +86,13 @@ TEST(Verdict, TheSkyNamesTheInfluenceBoxThatEndsShort) {
   room.probe.influence = Box{{-2.0, 0.0, -3.0}, {0.42, 3.0, 3.0}};
   room.probe.blendDistance = {glm::dvec3(0.0), glm::dvec3(0.25, 0.0, 0.0)};
   const Verdict verdict = room.judge();
-  EXPECT_EQ(verdict.sentence, "The sky, because the influence box of \"room\" ends 0.08 m short of this point at +x.");
+  EXPECT_EQ(verdict.sentence.english(),
+            "The sky, because the influence box of \"room\" ends 0.08 m short of this point at +x.");
   ASSERT_TRUE(verdict.mend);
-  EXPECT_EQ(verdict.mend->words, "Widen the influence box of \"room\": 0.33 m at +x");
+  EXPECT_EQ(verdict.mend->words.english(), "Widen the influence box of \"room\": 0.33 m at +x");
   EXPECT_NEAR(verdict.mend->after.influence->max.x, 0.75, 1e-9);
   room.probe = verdict.mend->after;
-  EXPECT_THAT(room.judge().sentence, HasSubstr("right to"));
+  EXPECT_THAT(room.judge().sentence.english(), HasSubstr("right to"));
   // Far away, widening is no mend.
   room.probe.influence = Box{{-30.0, 0.0, -3.0}, {-28.0, 3.0, 3.0}};
   EXPECT_FALSE(room.judge().mend);
@@ -100,16 +101,16 @@ TEST(Verdict, TheSkyNamesTheInfluenceBoxThatEndsShort) {
 TEST(Verdict, WithoutAProbeOrACaptureItSaysSo) {
   JudgedRoom room;
   room.captured = false;
-  EXPECT_THAT(room.judge().sentence, HasSubstr("not captured yet"));
+  EXPECT_THAT(room.judge().sentence.english(), HasSubstr("not captured yet"));
   Explanation e = ExplainedRoom().explain();
   e.hit = false;
-  EXPECT_THAT(verdictOf(e, {}).sentence, StartsWith("The background"));
+  EXPECT_THAT(verdictOf(e, {}).sentence.english(), StartsWith("The background"));
   e.hit = true;
   e.probes.clear();
   e.dominant = -1;
   e.skyWeight = 1.0f;
   e.specular = e.color = glm::vec3(1.0f);
-  EXPECT_EQ(verdictOf(e, {}).sentence, "The sky: the scene has no probe.");
+  EXPECT_EQ(verdictOf(e, {}).sentence.english(), "The sky: the scene has no probe.");
 }
 
 TEST(Verdict, LightThatIsHardlyReflectedIsCalledSo) {
@@ -118,8 +119,8 @@ TEST(Verdict, LightThatIsHardlyReflectedIsCalledSo) {
   e.color = e.emissive + e.specular + e.diffuse + e.direct;
   Scene scene;
   scene.probes = {ExplainedRoom().probe};
-  EXPECT_THAT(verdictOf(e, scene).sentence, StartsWith("Hardly a reflection: "));
-  EXPECT_THAT(verdictOf(e, scene).sentence, HasSubstr("is from the surface itself"));
+  EXPECT_THAT(verdictOf(e, scene).sentence.english(), StartsWith("Hardly a reflection: "));
+  EXPECT_THAT(verdictOf(e, scene).sentence.english(), HasSubstr("is from the surface itself"));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit, const std
                       {"hiddenBefore", fit.hiddenBefore},
                       {"hidden", fit.hidden},
                       {"open", fit.open},
-                      {"remarks", fit.remarks},
+                      {"remarks", english(fit.remarks)},
                       {"seconds", fit.seconds}};
   if (light) {
     json["before"]["lightError"] = light->before;
@@ -69,7 +69,9 @@ nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit, const std
 
 std::string fitText(const Probe& before, const BoxFit& fit, const std::optional<FitLightErrors>& light) {
   std::string text = before.name + ":";
-  for (const std::string& remark : fit.remarks) text += (&remark == &fit.remarks.front() ? " " : "; ") + remark;
+  for (const Phrase& remark : fit.remarks) {
+    text += (&remark == &fit.remarks.front() ? " " : "; ") + remark.english();
+  }
   if (fit.remarks.empty()) text += fit.outcome == FitOutcome::Fitted ? " a better box was found" : " the box stays";
   text += "\n";
   if (fit.outcome == FitOutcome::Open || fit.outcome == FitOutcome::Inside) return text;

@@ -83,18 +83,18 @@ Json frameReportJson(const FrameReport& report) {
   }
   json["memoryBytes"] = report.bytes;
   json["mirrorBytes"] = report.mirrorBytes;
-  json["skipped"] = skippedLines(report);
+  json["skipped"] = english(skippedLines(report));
   json["mirrors"] = Json::array();
   for (const FrameReport::MirrorUse& mirror : report.mirrors) {
     json["mirrors"].push_back({{"name", mirror.node},
                                {"drawn", mirror.drawn},
-                               {"why", mirror.why},
+                               {"why", mirror.why.english()},
                                {"width", mirror.width},
                                {"height", mirror.height},
                                {"objects", mirror.objects},
                                {"hiding", mirror.hiding}});
   }
-  json["leftOut"] = leftOutLines(report);
+  json["leftOut"] = english(leftOutLines(report));
   json["objects"] = Json::array();
   for (const FrameReport::Object& object : report.objects) {
     Json shares = Json::object();
@@ -123,12 +123,12 @@ std::string frameReportText(const FrameReport& report) {
             formatted(" at most %.0f\n", report.lookups->most);
   }
   text += "  maps: " + formatted("%.1f MiB\n", static_cast<double>(report.bytes) / 1048576.0);
-  const std::vector<std::string> mirrors = mirrorLines(report);
+  const std::vector<std::string> mirrors = english(mirrorLines(report));
   if (!mirrors.empty()) text += "planar mirrors\n";
   for (const std::string& line : mirrors) text += "  " + line + "\n";
   text += "skipped in the frame\n";
-  for (const std::string& line : skippedLines(report)) text += "  " + line + "\n";
-  for (const std::string& line : leftOutLines(report)) text += "  " + line + "\n";
+  for (const std::string& line : english(skippedLines(report))) text += "  " + line + "\n";
+  for (const std::string& line : english(leftOutLines(report))) text += "  " + line + "\n";
   text += "probes of the drawn objects, by share of their bounds\n";
   std::size_t listed = 0;
   for (const FrameReport::Object& object : report.objects) {

@@ -42,7 +42,7 @@ std::string shareText(const LitErrors& errors) {
 /// The number to act on comes last.
 std::string picturesText(const PictureCheck& pictures) {
   std::string text;
-  for (const std::string& each : pictures.sentences) text += each + "\n";
+  for (const Phrase& each : pictures.sentences) text += each.english() + "\n";
   if (pictures.eyes == 0 || !(pictures.before.error > 0.0)) return text;
   const double change = 100.0 * (pictures.after.error / pictures.before.error - 1.0);
   text +=
@@ -73,14 +73,14 @@ nlohmann::ordered_json placeJson(const Placement& placement, const PictureCheck*
                      {"doorways", doorways},
                      {"before", litErrorsJson(room.before)},
                      {"after", litErrorsJson(room.after)},
-                     {"decisions", room.decisions}});
+                     {"decisions", english(room.decisions)}});
   }
   for (const PlacedProbe& placed : placement.probes) {
     OrderedJson probe = fitJson(placed.probe, placed.fit);
     probe["room"] = placement.rooms[placed.room].name;
     probe["part"] = placed.part;
     probe["gainDegrees"] = placed.gainDegrees;
-    probe["reason"] = placed.reason;
+    probe["reason"] = placed.reason.english();
     probes.push_back(probe);
   }
   for (const Probe& probe : placement.kept) kept.push_back(probe.name);
@@ -90,7 +90,7 @@ nlohmann::ordered_json placeJson(const Placement& placement, const PictureCheck*
                 {"before", pictureErrorsJson(pictures->before)},
                 {"after", pictureErrorsJson(pictures->after)},
                 {"better", pictures->better},
-                {"tried", pictures->sentences},
+                {"tried", english(pictures->sentences)},
                 {"seconds", pictures->seconds}};
   }
   return {{"rooms", rooms},
@@ -101,7 +101,7 @@ nlohmann::ordered_json placeJson(const Placement& placement, const PictureCheck*
           {"after", litErrorsJson(placement.after)},
           {"bareBefore", placement.bareBefore},
           {"bareAfter", placement.bareAfter},
-          {"remarks", placement.remarks},
+          {"remarks", english(placement.remarks)},
           {"cell", placement.cell},
           {"cells", placement.cells},
           {"roomSeconds", placement.roomSeconds},
@@ -110,7 +110,7 @@ nlohmann::ordered_json placeJson(const Placement& placement, const PictureCheck*
 
 std::string placeText(const Placement& placement, const PictureCheck* pictures) {
   std::string text;
-  for (const std::string& remark : placement.remarks) text += remark + "\n";
+  for (const Phrase& remark : placement.remarks) text += remark.english() + "\n";
   for (std::size_t i = 0; i < placement.rooms.size(); ++i) {
     const PlacedRoom& room = placement.rooms[i];
     const glm::dvec3 size = room.extent.size(), &at = room.middleWorld;
@@ -124,7 +124,7 @@ std::string placeText(const Placement& placement, const PictureCheck* pictures) 
     if (pictures != nullptr && i < pictures->rooms.size() && pictures->rooms[i].seen) {
       text += row("; of its pictures %.3f -> %.3f", pictures->rooms[i].before, pictures->rooms[i].after);
     }
-    for (const std::string& decision : room.decisions) text += "; " + decision;
+    for (const Phrase& decision : room.decisions) text += "; " + decision.english();
     text += "\n";
     for (const PlacedProbe& placed : placement.probes) {
       if (placed.room != i) continue;
@@ -133,8 +133,8 @@ std::string placeText(const Placement& placement, const PictureCheck* pictures) 
           row("  probe \"%s\" at (%.2f, %.2f, %.2f), box %.2f x %.2f x %.2f: lookup error %.3f degrees, %.0f %% hidden",
               placed.probe.name.c_str(), origin.x, origin.y, origin.z, box.x, box.y, box.z,
               placed.fit.after.meanDegrees, 100.0 * placed.fit.hidden);
-      for (const std::string& remark : placed.fit.remarks) text += "; " + remark;
-      text += "\n    " + placed.reason + "\n";
+      for (const Phrase& remark : placed.fit.remarks) text += "; " + remark.english();
+      text += "\n    " + placed.reason.english() + "\n";
     }
   }
   if (placement.rooms.empty()) return text;

@@ -244,9 +244,9 @@ Json fitReport(const ModelFit& fit) {
   const ModelSurvey& survey = fit.survey;
   return {{"kind", modelKindId(fit.kind)},
           {"found", modelKindId(survey.kind)},
-          {"reason", survey.reason},
+          {"reason", survey.reason.english()},
           {"light", fitLightId(fit.light)},
-          {"decided", fit.decided},
+          {"decided", fit.decided.english()},
           {"largestMetres", survey.largest},
           {"points",
            {{"count", survey.points.size()},

@@ -26,6 +26,7 @@
 #include "app/gui/view/viewport.h"
 #include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
 
@@ -79,7 +80,7 @@ void DebugView::observe(Workspace& workspace) {
   connect(&workspace.picture(), &PictureWork::cameraPlaced, this, &DebugView::cameraMoved);
   connect(&workspace.scheduler(), &RenderScheduler::workEnded, this, &DebugView::workEnded);
   connect(card_, &ExplainCard::mendRequested, this, [&workspace](const Mend& mend) {
-    workspace.editor().commit(QString::fromStdString(mend.words), [mend](Scene& scene) {
+    workspace.editor().commit(phraseWords(mend.words), [mend](Scene& scene) {
       if (const auto index = findProbe(scene, mend.probe)) scene.probes[*index] = mend.after;
     });
   });
@@ -189,7 +190,7 @@ Explanation DebugView::explain(const QPointF& position) const {
     return renderer_.explain(device(position.x(), size[0]), device(position.y(), size[1]), size[0], size[1]);
   } catch (const Error& error) {
     Explanation unknown;
-    unknown.notes.emplace_back(error.what());
+    unknown.notes.push_back(Phrase::plain(error.what()));
     return unknown;
   }
 }
@@ -319,7 +320,7 @@ void DebugView::setSurfaceView(const SurfaceViewSettings& settings) {
 
 void DebugView::raysChanged() {
   const bool drawn = rays_->update() || mirrors_->shown();
-  rayPanel_->showStatus(QString::fromStdString(rays_->status()));
+  rayPanel_->showStatus(rays_->status());
   if (drawn) emit pictureChanged();
 }
 

@@ -15,6 +15,7 @@
 
 #include "app/gui/explain/explanation_html.h"
 #include "app/gui/explain/footprint_view.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "app/session/explanation_json.h"
 #include "filters/explain/explanation_text.h"
 
@@ -134,8 +135,8 @@ void ExplainCard::fill() {
 
 void ExplainCard::showVerdict() {
   sentence_->setVisible(!verdict_.sentence.empty());
-  QString text = QString::fromStdString(verdict_.sentence);
-  if (verdict_.mend) text += "\n" + QString::fromStdString(verdict_.mend->words) + ".";
+  QString text = phraseWords(verdict_.sentence);
+  if (verdict_.mend) text += "\n" + tr("%1.").arg(phraseWords(verdict_.mend->words));
   sentence_->setText(text);
   mend_->setVisible(verdict_.mend.has_value());
 }

@@ -1,6 +1,7 @@
 // See picture_inset.h.
 #include "app/gui/explain/picture_inset.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -47,7 +48,9 @@ void paintPictureInset(QPainter& painter, const QRectF& picture, const LessonIns
   painter.translate(inset.right ? picture.right() - kCornerGap - scale * size.width() : picture.left() + kCornerGap,
                     inset.bottom ? picture.bottom() - kCornerGap - scale * size.height() : picture.top() + kCornerGap);
   painter.scale(scale, scale);
-  paintInset(painter, QRectF(QPointF(), size), view, inset.elevation ? "from the side" : "from above");
+  paintInset(painter, QRectF(QPointF(), size), view,
+             inset.elevation ? QCoreApplication::translate("PictureInset", "from the side")
+                             : QCoreApplication::translate("PictureInset", "from above"));
   painter.restore();
 }
 

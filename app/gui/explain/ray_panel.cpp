@@ -14,6 +14,7 @@
 
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
+#include "app/gui/widgets/table_words.h"
 #include "app/gui/widgets/value_field.h"
 
 namespace boxprobe {
@@ -136,8 +137,7 @@ void RayPanel::buildKinds(QFormLayout* form) {
       QT_TR_NOOP("Of glass: from there along the refracted direction to the hit on the probe's box"),
       QT_TR_NOOP("From P towards each light that throws shadows, to where it leaves the probe's box")};
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    const std::string_view name = kRayKindNames[i];
-    QString label = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+    QString label = tableWords(kRayKindNames[i]);
     label[0] = label[0].toUpper();
     kinds_[i] = new QCheckBox(label, this);
     kinds_[i]->setToolTip(tr(help[i]));

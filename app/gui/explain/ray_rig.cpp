@@ -98,26 +98,24 @@ std::vector<RaySample> RayRig::samples() {
   switch (settings_.source) {
     case RaySource::Pointer:
       if (!explained_)
-        status_ = QCoreApplication::translate("RayRig", "Move the pointer over a surface with the Explain tool on (E).")
-                      .toStdString();
+        status_ =
+            QCoreApplication::translate("RayRig", "Move the pointer over a surface with the Explain tool on (E).");
       return explained_ ? std::vector<RaySample>{*explained_} : std::vector<RaySample>();
     case RaySource::Clicked:
       if (clicks_.empty())
-        status_ = QCoreApplication::translate("RayRig", "Click surfaces with the Explain tool on (E).").toStdString();
+        status_ = QCoreApplication::translate("RayRig", "Click surfaces with the Explain tool on (E).");
       return clicks_;
     case RaySource::Object: {
       const std::string object = !settings_.object.empty() ? settings_.object
                                  : clicks_.empty()         ? ""
                                                            : clicks_.back().object;
       if (object.empty())
-        status_ = QCoreApplication::translate("RayRig", "Choose an object, or click one with the Explain tool on (E).")
-                      .toStdString();
+        status_ = QCoreApplication::translate("RayRig", "Choose an object, or click one with the Explain tool on (E).");
       return object.empty() ? std::vector<RaySample>() : sources().over(object, settings_.count);
     }
     case RaySource::Line: {
       if (clicks_.size() < 2) {
-        status_ =
-            QCoreApplication::translate("RayRig", "Click the two ends with the Explain tool on (E).").toStdString();
+        status_ = QCoreApplication::translate("RayRig", "Click the two ends with the Explain tool on (E).");
         return {};
       }
       const RaySample& from = clicks_[clicks_.size() - 2];
@@ -154,7 +152,8 @@ bool RayRig::update() {
     layer_.setVisible(false);
     return was;
   }
-  status_ = points.size() == 1 ? "1 point" : std::to_string(points.size()) + " points";
+  status_ = points.size() == 1 ? QCoreApplication::translate("RayRig", "1 point")
+                               : QCoreApplication::translate("RayRig", "%1 points").arg(points.size());
   compute(points);
   layer_.setVisible(true);
   return true;
@@ -182,8 +181,11 @@ long long RayRig::rays() const {
 void RayRig::save(const std::string& path) {
   update();
   if (rays() == 0) {
-    throw InputError("no rays are shown that could be saved to " + path + "; " +
-                     (status_.empty() ? "show rays in the debug dock first" : status_));
+    const QString todo =
+        status_.isEmpty() ? QCoreApplication::translate("RayRig", "show rays in the debug dock first") : status_;
+    throw InputError(QCoreApplication::translate("RayRig", "no rays are shown that could be saved to %1; %2")
+                         .arg(QString::fromStdString(path), todo)
+                         .toStdString());
   }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(filter_->GetOutput());

@@ -4,6 +4,7 @@
 
 #include <vtkNew.h>
 
+#include <QString>
 #include <functional>
 #include <memory>
 #include <string>
@@ -48,7 +49,7 @@ class RayRig {
 
   std::vector<std::string> objects();
   /// Why there are no rays, or how many points have some: a line for the panel.
-  std::string status() const { return status_; }
+  QString status() const { return status_; }
   long long rays() const;  ///< lines shown
   bool visible() const { return layer_.visible(); }
   /// Of what is shown, as VTK's XML poly data. Throws WorkError where it cannot be written, InputError without rays.
@@ -69,7 +70,7 @@ class RayRig {
   std::optional<RaySample> explained_;
   glm::dvec3 eyeWorld_{0.0};
   std::vector<RaySample> clicks_;
-  std::string status_;
+  QString status_;
   bool stale_ = false;
 };
 

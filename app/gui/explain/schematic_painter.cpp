@@ -1,6 +1,7 @@
 // See schematic_painter.h.
 #include "app/gui/explain/schematic_painter.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPolygonF>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "app/gui/explain/explanation_html.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "app/gui/widgets/symbol_text.h"
 
 namespace boxprobe {
@@ -208,11 +210,8 @@ class ViewPainter {
       painter_.drawEllipse(pixel, size, size);
       occupied_.push_back({pixel.x() - size, pixel.y() - size, 2.0 * size, 2.0 * size});
       if (!area_.contains(pixel)) continue;
-      labels_.push_back({QString::fromStdString(point.label),
-                         pixel,
-                         {point.labelDirection.x, -point.labelDirection.y},
-                         color,
-                         kPointRank});
+      labels_.push_back(
+          {phraseWords(point.label), pixel, {point.labelDirection.x, -point.labelDirection.y}, color, kPointRank});
     }
     for (const auto& plane : view_.planes) {
       if (!plane.smallest) continue;
@@ -248,7 +247,8 @@ class ViewPainter {
     limit(from.x(), step.x(), room.left(), room.right());
     limit(from.y(), step.y(), room.top(), room.bottom());
     const QPointF entry = from + std::max(t, 0.0) * step;
-    labels_.push_back({"from the eye", entry, -step / std::max(length(step), 1.0), kDim, kOptionalRank});
+    labels_.push_back({QCoreApplication::translate("SchematicPainter", "from the eye"), entry,
+                       -step / std::max(length(step), 1.0), kDim, kOptionalRank});
   }
 
   /// Beside its anchor, towards its direction if that is free; else the nearest of the directions around that is.
@@ -362,13 +362,13 @@ void paintSchematic(QPainter& painter, const QRectF& area, const Schematic& sche
   painter.setPen(pen(QColor(255, 255, 255, 40), 1.0));
   painter.drawLine(QPointF(inner.center().x(), area.top() + 6.0), QPointF(inner.center().x(), inner.bottom()));
   painter.setPen(kInk);
-  const auto title = [&](const QRectF& view, const std::string& text) {
-    painter.drawText(QRectF(view.left() + 4.0, area.top() + 4.0, view.width(), line), Qt::AlignLeft,
-                     QString::fromStdString(text));
+  const auto title = [&](const QRectF& view, const Phrase& text) {
+    painter.drawText(QRectF(view.left() + 4.0, area.top() + 4.0, view.width(), line), Qt::AlignLeft, phraseWords(text));
   };
   title(left, schematic.plan.title);
   title(right, schematic.elevation.title);
-  QStaticText caption("<span style=\"color:" + kDecides.name() + "\">" + formulaHtml(schematic.caption) + "</span>");
+  QStaticText caption("<span style=\"color:" + kDecides.name() + "\">" + formulaHtml(phraseWords(schematic.caption)) +
+                      "</span>");
   caption.setTextFormat(Qt::RichText);
   caption.setTextWidth(area.width());
   painter.drawStaticText(QPointF(area.left() + 10.0, area.bottom() - line - 6.0), caption);

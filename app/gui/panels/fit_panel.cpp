@@ -20,6 +20,7 @@
 #include "app/gui/view/viewport.h"
 #include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "filters/fit/fit_probe.h"
 #include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
@@ -197,7 +198,7 @@ void FitPanel::review(const BoxFit& result, const std::optional<FitLightErrors>&
         "out a face that improves the angle but worsens the light."));
   }
   QStringList lines;
-  for (const std::string& remark : result_->remarks) lines += QString::fromStdString(remark);
+  for (const Phrase& remark : result_->remarks) lines += phraseWords(remark);
   remarks_->setText(lines.join(". "));
   if (result_->outcome == FitOutcome::Fitted) emit ghostChanged(proposed());
 }

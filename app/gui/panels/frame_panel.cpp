@@ -20,6 +20,7 @@
 #include "app/gui/view/workspace.h"
 #include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "app/gui/widgets/quiet_combo.h"
 #include "app/gui/widgets/table_words.h"
 #include "filters/core/base/errors.h"
@@ -225,12 +226,12 @@ void FramePanel::fill(const FrameReport& report) {
            tr("Objects that share a shader variant, whatever their textures"));
 
   QTreeWidgetItem* skipped = section(tr("Left out"));
-  for (const std::string& line : skippedLines(report)) addRowTo(skipped, text(line), {});
-  for (const std::string& line : leftOutLines(report)) addRowTo(skipped, text(line), {});
+  for (const Phrase& line : skippedLines(report)) addRowTo(skipped, phraseWords(line), {});
+  for (const Phrase& line : leftOutLines(report)) addRowTo(skipped, phraseWords(line), {});
 
   if (!report.mirrors.empty()) {
     QTreeWidgetItem* mirrors = section(tr("Planar mirrors"));
-    for (const std::string& line : mirrorLines(report)) addRowTo(mirrors, text(line), {});
+    for (const Phrase& line : mirrorLines(report)) addRowTo(mirrors, phraseWords(line), {});
   }
 
   QTreeWidgetItem* objects = section(tr("Objects and their probes"));

@@ -151,8 +151,8 @@ void ObjectPanel::showPlane() {
     QString problem;
     try {
       mirrorPlane(scene, models_, node());
-    } catch (const FieldError& error) {
-      problem = tr("It %1.").arg(QString::fromStdString(error.reason()));
+    } catch (const FieldError&) {
+      problem = tr("It is not one flat surface, so it cannot be a planar mirror.");
     }
     problem_->setText(problem);
   }

@@ -15,6 +15,7 @@
 #include "app/gui/view/picture_difference.h"
 #include "app/gui/view/workspace.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "app/gui/widgets/window_words.h"
 #include "app/session/offscreen_scene.h"
 #include "filters/core/base/errors.h"
@@ -43,8 +44,8 @@ QString roomText(const Placement& placement, const PlacedProbe& placed) {
                        PlacePanel::tr("error %1, %2 % hidden")
                            .arg(errorText(placed.fit.after.meanDegrees))
                            .arg(100.0 * placed.fit.hidden, 0, 'f', 0)};
-  for (const std::string& decision : room.decisions) lines += QString::fromStdString(decision);
-  for (const std::string& remark : placed.fit.remarks) lines += QString::fromStdString(remark);
+  for (const Phrase& decision : room.decisions) lines += phraseWords(decision);
+  for (const Phrase& remark : placed.fit.remarks) lines += phraseWords(remark);
   return lines.join("\n");
 }
 
@@ -185,11 +186,11 @@ void PlacePanel::review(Result result) {
   const Placement& placement = result.placement;
   const PictureCheck* pictures = result.pictures ? &*result.pictures : nullptr;
   QStringList lines;
-  for (const std::string& remark : placement.remarks) lines += windowWords(QString::fromStdString(remark));
+  for (const Phrase& remark : placement.remarks) lines += windowWords(phraseWords(remark));
   if (!result.notCompared.isEmpty()) lines += result.notCompared;
   const bool told = pictures != nullptr && !pictures->sentences.empty();
   if (told && (!pictures->better || pictures->eyes == 0)) {
-    lines += QString::fromStdString(pictures->sentences.back());
+    lines += phraseWords(pictures->sentences.back());
   }
   remarks_->setText(lines.join(". "));
 
@@ -223,8 +224,7 @@ void PlacePanel::review(Result result) {
   }
   for (std::size_t i = 0; i < placement.probes.size(); ++i) {
     const PlacedProbe& placed = placement.probes[i];
-    propose(placed.probe, false, placement.kept.size() + i, QString::fromStdString(placed.reason),
-            roomText(placement, placed));
+    propose(placed.probe, false, placement.kept.size() + i, phraseWords(placed.reason), roomText(placement, placed));
   }
   list_->show(entries);
   bool allOwn = true;

@@ -143,6 +143,17 @@
     </message>
 </context>
 <context>
+    <name>ExplanationHtml</name>
+    <message>
+        <source>smallest</source>
+        <translation>kleinster</translation>
+    </message>
+    <message>
+        <source>Lengths in scene units, directions without, colours linear; swatches as the picture shows them.</source>
+        <translation>Längen in Szeneneinheiten, Richtungen ohne Einheit, Farben linear; Farbfelder, wie das Bild sie zeigt.</translation>
+    </message>
+</context>
+<context>
     <name>FieldForm</name>
     <message>
         <source>%1 Default: %2</source>
@@ -534,6 +545,17 @@
     </message>
 </context>
 <context>
+    <name>PictureInset</name>
+    <message>
+        <source>from the side</source>
+        <translation>von der Seite</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+</context>
+<context>
     <name>QMainWindow</name>
     <message>
         <source>Lessons</source>
@@ -612,6 +634,22 @@
         <source>Click the two ends with the Explain tool on (E).</source>
         <translation>Mit eingeschaltetem Werkzeug Erklären (E) die beiden Enden anklicken.</translation>
     </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>show rays in the debug dock first</source>
+        <translation>erst die Strahlen im Reiter Debug einblenden</translation>
+    </message>
+    <message>
+        <source>no rays are shown that could be saved to %1; %2</source>
+        <translation>es werden keine Strahlen gezeigt, die in %1 gespeichert werden könnten; %2</translation>
+    </message>
 </context>
 <context>
     <name>Recovery</name>
@@ -666,6 +704,13 @@
     <message>
         <source>&amp;Not now</source>
         <translation>&amp;Jetzt nicht</translation>
+    </message>
+</context>
+<context>
+    <name>SchematicPainter</name>
+    <message>
+        <source>from the eye</source>
+        <translation>vom Auge</translation>
     </message>
 </context>
 <context>
@@ -1685,6 +1730,46 @@
         <source>it stays in the image</source>
         <translation>sie bleibt im Bild</translation>
     </message>
+    <message>
+        <source>eye ray</source>
+        <translation>Augstrahl</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>reflected ray</source>
+        <translation>reflektierter Strahl</translation>
+    </message>
+    <message>
+        <source>lookup</source>
+        <translation>Abfrage</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Sample</translation>
+    </message>
+    <message>
+        <source>true hit</source>
+        <translation>wahrer Treffer</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>within glass</source>
+        <translation>im Glas</translation>
+    </message>
+    <message>
+        <source>refracted ray</source>
+        <translation>gebrochener Strahl</translation>
+    </message>
+    <message>
+        <source>shadow ray</source>
+        <translation>Schattenstrahl</translation>
+    </message>
 </context>
 <context>
     <name>TypedNumber</name>
@@ -2647,6 +2732,10 @@
     <message>
         <source>Under the pointer</source>
         <translation>Unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
 </context>
 <context>
@@ -4350,8 +4439,8 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>Spiegel %1 ausschalten</translation>
     </message>
     <message>
-        <source>It %1.</source>
-        <translation>Es %1.</translation>
+        <source>It is not one flat surface, so it cannot be a planar mirror.</source>
+        <translation>Es ist keine einzelne ebene Fläche und kann daher kein ebener Spiegel sein.</translation>
     </message>
 </context>
 <context>
@@ -4609,6 +4698,1217 @@ eine Abfrage, auf Fläche %1</translation>
     <message>
         <source>Frame</source>
         <translation>Frame</translation>
+    </message>
+</context>
+<context>
+    <name>boxprobe::Phrase</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The material is unlit: it shows its colour, no light and no probe.</source>
+        <translation>Das Material ist unbeleuchtet: es zeigt seine Farbe, kein Licht und keine Sonde.</translation>
+    </message>
+    <message>
+        <source>The surface has no normal here, so there is no reflected ray to project.</source>
+        <translation>Die Oberfläche hat hier keine Normale, also gibt es keinen reflektierten Strahl zu projizieren.</translation>
+    </message>
+    <message>
+        <source>The shading normal points away from the eye. A ray reflected about it would start below the surface, so it goes straight on.</source>
+        <translation>Die Shading-Normale zeigt vom Auge weg. Ein an ihr reflektierter Strahl begänne unter der Oberfläche, also geht er geradeaus weiter.</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: its weight is 0 here, so it is not sampled.</source>
+        <translation>Sonde „%1“: ihr Gewicht ist hier 0, also wird sie nicht abgetastet.</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot; has not been captured yet: it reflects nothing.</source>
+        <translation>Sonde „%1“ ist noch nicht aufgenommen: sie reflektiert nichts.</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: technique %2 has no box to hit, so hit point and distance are undefined; the surroundings are taken to be infinitely far away.</source>
+        <translation>Sonde „%1“: die Technik %2 hat keine Box, die getroffen wird, also sind Trefferpunkt und Abstand nicht definiert; die Umgebung gilt als unendlich fern.</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: the capture origin lies outside the projection box, so a part of the sampled surfaces was never captured from inside the box.</source>
+        <translation>Sonde „%1“: der Aufnahmeursprung liegt außerhalb der Projektionsbox, also wurde ein Teil der abgetasteten Oberflächen nie von innerhalb der Box aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: the point lies outside the projection box; distances to planes behind it count as 0 and the hit is pulled on to the box.</source>
+        <translation>Sonde „%1“: der Punkt liegt außerhalb der Projektionsbox; Abstände zu Ebenen hinter ihm zählen als 0, und der Treffer wird auf die Box gezogen.</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: its distances do not give the true hit here (open sky, or hidden from the capture origin).</source>
+        <translation>Sonde „%1“: ihre Abstände ergeben hier keinen wahren Treffer (offener Himmel oder vom Aufnahmeursprung aus verdeckt).</translation>
+    </message>
+    <message>
+        <source>The surface is translucent. What lies behind it shows through and is not explained here.</source>
+        <translation>Die Oberfläche ist durchscheinend. Was hinter ihr liegt, scheint durch und wird hier nicht erklärt.</translation>
+    </message>
+    <message>
+        <source>Light passes the glass nearly straight: %1 % of what the picture shows here is what is drawn behind, in place of the lookup, and is not part of this.</source>
+        <translation>Licht geht fast gerade durch das Glas: %1 % dessen, was das Bild hier zeigt, ist das dahinter Gezeichnete statt der Abfrage und gehört nicht hierzu.</translation>
+    </message>
+    <message>
+        <source>Where something opaque is drawn along the refracted ray, the picture shows that in place of this lookup.</source>
+        <translation>Wo entlang des gebrochenen Strahls etwas Undurchsichtiges gezeichnet ist, zeigt das Bild dieses statt dieser Abfrage.</translation>
+    </message>
+    <message>
+        <source>No probe lights this object, because none reaches it or its probeMode is off. The current sky shows through, not box-projected.</source>
+        <translation>Keine Sonde beleuchtet dieses Objekt, weil keine es erreicht oder sein probeMode off ist. Der jetzige Himmel scheint durch, nicht auf die Box projiziert.</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: auto chose %2 for this object&apos;s roughness.</source>
+        <translation>Sonde „%1“: auto hat für die Rauheit dieses Objekts %2 gewählt.</translation>
+    </message>
+    <message>
+        <source>undefined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>unendlich</translation>
+    </message>
+    <message>
+        <source>-infinite</source>
+        <translation>-unendlich</translation>
+    </message>
+    <message>
+        <source>Surface: object &quot;%1&quot;, material &quot;%2&quot;</source>
+        <translation>Oberfläche: Objekt „%1“, Material „%2“</translation>
+    </message>
+    <message>
+        <source>shading point</source>
+        <translation>betrachteter Punkt</translation>
+    </message>
+    <message>
+        <source>shading normal, unit</source>
+        <translation>Shading-Normale, Einheitsvektor</translation>
+    </message>
+    <message>
+        <source>the surface has no normal here</source>
+        <translation>die Oberfläche hat hier keine Normale</translation>
+    </message>
+    <message>
+        <source>towards the eye, unit</source>
+        <translation>zum Auge, Einheitsvektor</translation>
+    </message>
+    <message>
+        <source>N bent towards the eye across the brushing; R is about it</source>
+        <translation>N, quer zur Bürstrichtung zum Auge gebogen; R ist daran gespiegelt</translation>
+    </message>
+    <message>
+        <source>reflected direction, 2 max(N.V, 0) N - V</source>
+        <translation>reflektierte Richtung, 2 max(N.V, 0) N - V</translation>
+    </message>
+    <message>
+        <source>cosine of the view angle</source>
+        <translation>Kosinus des Blickwinkels</translation>
+    </message>
+    <message>
+        <source>perceptual roughness; alpha = p^2 = %1</source>
+        <translation>wahrgenommene Rauheit; alpha = p^2 = %1</translation>
+    </message>
+    <message>
+        <source>albedo</source>
+        <translation>Albedo</translation>
+    </message>
+    <message>
+        <source>base colour; metallic %1</source>
+        <translation>Grundfarbe; Metallanteil %1</translation>
+    </message>
+    <message>
+        <source>reflectance at normal incidence: mix(%1, base colour, metallic)</source>
+        <translation>Reflexionsgrad bei senkrechtem Einfall: mix(%1, Grundfarbe, Metallanteil)</translation>
+    </message>
+    <message>
+        <source>the material&apos;s occlusion, a factor of all light but emission</source>
+        <translation>Verdeckung des Materials, ein Faktor auf alles Licht außer der Emission</translation>
+    </message>
+    <message>
+        <source>opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>of the surface</source>
+        <translation>der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Sky: %1 of the pixel</source>
+        <translation>Himmel: %1 des Pixels</translation>
+    </message>
+    <message>
+        <source>the share that no probe takes, sampled along R at mip level %1</source>
+        <translation>der Anteil, den keine Sonde nimmt, entlang R auf Mip-Stufe %1 abgetastet</translation>
+    </message>
+    <message>
+        <source>Glass: %1, seen from within</source>
+        <translation>Glas: %1, von innen gesehen</translation>
+    </message>
+    <message>
+        <source>Glass: %1</source>
+        <translation>Glas: %1</translation>
+    </message>
+    <message>
+        <source>index on the eye&apos;s side over that beyond; the glass has %1</source>
+        <translation>Brechungsindex auf der Seite des Auges durch den dahinter; das Glas hat %1</translation>
+    </message>
+    <message>
+        <source>totally reflected: the view is flatter than the critical angle</source>
+        <translation>Totalreflexion: der Blick ist flacher als der Grenzwinkel</translation>
+    </message>
+    <message>
+        <source>exact Fresnel reflectance of a dielectric at N.V</source>
+        <translation>exakter Fresnel-Reflexionsgrad eines Dielektrikums bei N.V</translation>
+    </message>
+    <message>
+        <source>refracted view direction, in which the probes are sampled</source>
+        <translation>gebrochene Blickrichtung, in der die Sonden abgetastet werden</translation>
+    </message>
+    <message>
+        <source>%1, bent at the front and where it leaves</source>
+        <translation>%1, gebrochen vorn und beim Austritt</translation>
+    </message>
+    <message>
+        <source>%1; mirrored within %2 times on the way</source>
+        <translation>%1; unterwegs innen %2-mal gespiegelt</translation>
+    </message>
+    <message>
+        <source>from where it is followed to the box</source>
+        <translation>von dort wird sie bis zur Box verfolgt</translation>
+    </message>
+    <message>
+        <source>the way within</source>
+        <translation>der Weg darin</translation>
+    </message>
+    <message>
+        <source>roughness of a mirror that would scatter as far; gives the mip level</source>
+        <translation>Rauheit eines Spiegels, der gleich weit streuen würde; ergibt die Mip-Stufe</translation>
+    </message>
+    <message>
+        <source>left of white light after x</source>
+        <translation>was von weißem Licht nach x bleibt</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>factor: transmission (1 - reflected) base colour Beer</source>
+        <translation>Faktor: Transmission (1 - reflektiert) Grundfarbe Beer</translation>
+    </message>
+    <message>
+        <source>found along T: %1</source>
+        <translation>entlang T gefunden: %1</translation>
+    </message>
+    <message>
+        <source>Planar mirror: objects that move take %1 of the reflection</source>
+        <translation>Ebener Spiegel: bewegte Objekte nehmen %1 der Reflexion ein</translation>
+    </message>
+    <message>
+        <source>coverage of the mirror&apos;s picture over the lobe; the probes keep 1 - a</source>
+        <translation>Abdeckung des Spiegelbilds über die Keule; den Sonden bleibt 1 - a</translation>
+    </message>
+    <message>
+        <source>along R to what moves, by its height over the mirror</source>
+        <translation>entlang R bis zum Bewegten, nach seiner Höhe über dem Spiegel</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>whose texels are as large as the lobe at that distance; %1 fetches</source>
+        <translation>deren Texel in diesem Abstand so groß wie die Keule sind; %1 Zugriffe</translation>
+    </message>
+    <message>
+        <source>its light, times a</source>
+        <translation>sein Licht, mal a</translation>
+    </message>
+    <message>
+        <source>factor of L_dyn: share and intensity of the probes</source>
+        <translation>Faktor von L_dyn: Anteil und Intensität der Sonden</translation>
+    </message>
+    <message>
+        <source>Light %1: what lets it through</source>
+        <translation>Licht %1: was davon durchkommt</translation>
+    </message>
+    <message>
+        <source>towards the light</source>
+        <translation>zum Licht</translation>
+    </message>
+    <message>
+        <source>along L to where it leaves the box of probe &quot;%1&quot;</source>
+        <translation>entlang L bis zum Austritt aus der Box der Sonde „%1“</translation>
+    </message>
+    <message>
+        <source>there; what the probe&apos;s coverage is looked up for</source>
+        <translation>dort; dafür wird die Abdeckung der Sonde abgefragt</translation>
+    </message>
+    <message>
+        <source>1 - coverage, coloured by glass, at level %1</source>
+        <translation>1 - Abdeckung, von Glas gefärbt, auf Stufe %1</translation>
+    </message>
+    <message>
+        <source>factor of the shadow map of what moves</source>
+        <translation>Faktor der Shadow Map der bewegten Objekte</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>durchgelassen</translation>
+    </message>
+    <message>
+        <source>none: the surface faces away from it</source>
+        <translation>nichts: die Oberfläche ist ihm abgewandt</translation>
+    </message>
+    <message>
+        <source>factor of the light in `direct`</source>
+        <translation>Faktor des Lichts in „direkt“</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>direct</source>
+        <translation>direkt</translation>
+    </message>
+    <message>
+        <source>light sources</source>
+        <translation>Lichtquellen</translation>
+    </message>
+    <message>
+        <source>emissive</source>
+        <translation>emittiert</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s own light</source>
+        <translation>eigenes Licht der Oberfläche</translation>
+    </message>
+    <message>
+        <source>light from all directions around N, times the base colour; %1 of the pixel</source>
+        <translation>Licht aus allen Richtungen um N, mal Grundfarbe; %1 des Pixels</translation>
+    </message>
+    <message>
+        <source>light from all directions around N, times the base colour</source>
+        <translation>Licht aus allen Richtungen um N, mal Grundfarbe</translation>
+    </message>
+    <message>
+        <source>diffuse</source>
+        <translation>diffus</translation>
+    </message>
+    <message>
+        <source>reflected light times F (A + B); A = %1, B = %2 of the split sum</source>
+        <translation>reflektiertes Licht mal F (A + B); A = %1, B = %2 aus Split-Sum</translation>
+    </message>
+    <message>
+        <source>reflected light times F_0 A + F_90 B; A = %1, B = %2 of the split sum</source>
+        <translation>reflektiertes Licht mal F_0 A + F_90 B; A = %1, B = %2 aus Split-Sum</translation>
+    </message>
+    <message>
+        <source>specular</source>
+        <translation>spiegelnd</translation>
+    </message>
+    <message>
+        <source>glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>what is looked through: passes times L_T</source>
+        <translation>die Durchsicht: Durchgang mal L_T</translation>
+    </message>
+    <message>
+        <source>sheen</source>
+        <translation>Stoffglanz</translation>
+    </message>
+    <message>
+        <source>the same light, sent back by cloth&apos;s fibres</source>
+        <translation>dasselbe Licht, von den Fasern des Stoffs zurückgeworfen</translation>
+    </message>
+    <message>
+        <source>coat</source>
+        <translation>Klarlack</translation>
+    </message>
+    <message>
+        <source>what the clear coat changes</source>
+        <translation>was der Klarlack ändert</translation>
+    </message>
+    <message>
+        <source>color</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>computed: linear light before exposure</source>
+        <translation>berechnet: lineares Licht vor der Belichtung</translation>
+    </message>
+    <message>
+        <source>the pixel as drawn; differs by %1 of the brightest texel</source>
+        <translation>das Pixel wie gezeichnet; weicht um %1 des hellsten Texels ab</translation>
+    </message>
+    <message>
+        <source>the pixel as drawn; differs by %1 of the colour</source>
+        <translation>das Pixel wie gezeichnet; weicht um %1 der Farbe ab</translation>
+    </message>
+    <message>
+        <source>rendered</source>
+        <translation>gezeichnet</translation>
+    </message>
+    <message>
+        <source>Pixel %1, %2</source>
+        <translation>Pixel %1, %2</translation>
+    </message>
+    <message>
+        <source>Pixel %1, %2: the background</source>
+        <translation>Pixel %1, %2: der Hintergrund</translation>
+    </message>
+    <message>
+        <source>linear light before exposure</source>
+        <translation>lineares Licht vor der Belichtung</translation>
+    </message>
+    <message>
+        <source>what the sky shows there, linear</source>
+        <translation>was der Himmel dort zeigt, linear</translation>
+    </message>
+    <message>
+        <source>probe &quot;%1&quot; %2 %</source>
+        <translation>Sonde „%1“ %2 %</translation>
+    </message>
+    <message>
+        <source>sky %1 %</source>
+        <translation>Himmel %1 %</translation>
+    </message>
+    <message>
+        <source>R has no part along %1: that pair of planes is never met</source>
+        <translation>R hat keinen Anteil entlang %1: dieses Ebenenpaar wird nie getroffen</translation>
+    </message>
+    <message>
+        <source>counts as 0: P lies beyond that plane</source>
+        <translation>zählt als 0: P liegt jenseits dieser Ebene</translation>
+    </message>
+    <message>
+        <source>where the probe was captured</source>
+        <translation>wo die Sonde aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>from the capture origin, along the box&apos;s own axes</source>
+        <translation>vom Aufnahmeursprung, entlang der eigenen Achsen der Box</translation>
+    </message>
+    <message>
+        <source>from the capture origin</source>
+        <translation>vom Aufnahmeursprung</translation>
+    </message>
+    <message>
+        <source>reflected direction along the box&apos;s own axes</source>
+        <translation>reflektierte Richtung entlang der eigenen Achsen der Box</translation>
+    </message>
+    <message>
+        <source>box relative to C, along the box&apos;s own axes</source>
+        <translation>Box relativ zu C, entlang ihrer eigenen Achsen</translation>
+    </message>
+    <message>
+        <source>box relative to C</source>
+        <translation>Box relativ zu C</translation>
+    </message>
+    <message>
+        <source>along R to the proxy</source>
+        <translation>entlang R bis zum Proxy</translation>
+    </message>
+    <message>
+        <source>%1: the ray leaves through the face %2</source>
+        <translation>%1: der Strahl tritt durch die Fläche %2 aus</translation>
+    </message>
+    <message>
+        <source>radius of the box&apos;s rounded edges at this roughness</source>
+        <translation>Radius der gerundeten Boxkanten bei dieser Rauheit</translation>
+    </message>
+    <message>
+        <source>along R to the hit as the technique refines it, by %1 lookups of the captured distances</source>
+        <translation>entlang R bis zum Treffer, wie ihn die Technik verfeinert, mit %1 Abfragen der aufgenommenen Abstände</translation>
+    </message>
+    <message>
+        <source>along R to the rounded edge</source>
+        <translation>entlang R bis zur gerundeten Kante</translation>
+    </message>
+    <message>
+        <source>hit point, P + d R</source>
+        <translation>Trefferpunkt, P + d R</translation>
+    </message>
+    <message>
+        <source>direction in which the cubemap is sampled</source>
+        <translation>Richtung, in der die Cubemap abgetastet wird</translation>
+    </message>
+    <message>
+        <source>what the cubemap is looked up with; nothing is hit</source>
+        <translation>damit wird die Cubemap abgefragt; nichts wird getroffen</translation>
+    </message>
+    <message>
+        <source>along R to the captured surface; the proxy is off by %1</source>
+        <translation>entlang R bis zur aufgenommenen Oberfläche; der Proxy liegt um %1 daneben</translation>
+    </message>
+    <message>
+        <source>along R to the captured surface</source>
+        <translation>entlang R bis zur aufgenommenen Oberfläche</translation>
+    </message>
+    <message>
+        <source>texel %1, %2 of face %3, level %4</source>
+        <translation>Texel %1, %2 der Fläche %3, Stufe %4</translation>
+    </message>
+    <message>
+        <source>%1 more texels</source>
+        <translation>%1 weitere Texel</translation>
+    </message>
+    <message>
+        <source>level %1 of 0 to %2, baked for roughness %3</source>
+        <translation>Stufe %1 von 0 bis %2, gebacken für Rauheit %3</translation>
+    </message>
+    <message>
+        <source>%1 more lookups, which bring less light: %2 together, their mean; levels %3 to %4</source>
+        <translation>%1 weitere Abfragen, die weniger Licht bringen: zusammen %2, ihr Mittelwert; Stufen %3 bis %4</translation>
+    </message>
+    <message>
+        <source>lamp &quot;%1&quot; as a shape: it fills %2 of the cosine hemisphere around N</source>
+        <translation>Lampe „%1“ als Form: sie füllt %2 der Kosinus-Halbkugel um N</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>%1 by %2 (within something: filled from its neighbours)</source>
+        <translation>%1 zu %2 (in einem Ding: aus seinen Nachbarn aufgefüllt)</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>everything else, from a lattice of %1 x %2 x %3 nodes (%5 ways between them cut): %4</source>
+        <translation>alles andere, aus einem Gitter von %1 x %2 x %3 Knoten (%5 Wege zwischen ihnen getrennt): %4</translation>
+    </message>
+    <message>
+        <source>everything else, from a lattice of %1 x %2 x %3 nodes: %4</source>
+        <translation>alles andere, aus einem Gitter von %1 x %2 x %3 Knoten: %4</translation>
+    </message>
+    <message>
+        <source>%1 (sharper than the surface&apos;s %2)</source>
+        <translation>%1 (schärfer als %2 der Oberfläche)</translation>
+    </message>
+    <message>
+        <source>%1 (softer than the surface&apos;s %2)</source>
+        <translation>%1 (weicher als %2 der Oberfläche)</translation>
+    </message>
+    <message>
+        <source>fetch</source>
+        <translation>Zugriff</translation>
+    </message>
+    <message>
+        <source>fetch %1</source>
+        <translation>Zugriff %1</translation>
+    </message>
+    <message>
+        <source>the probe&apos;s reflected light: its lookups by their shares</source>
+        <translation>reflektiertes Licht der Sonde: ihre Abfragen nach ihren Anteilen</translation>
+    </message>
+    <message>
+        <source>how much of that the probe covers; the sky shows for 1 - a</source>
+        <translation>wie viel davon die Sonde abdeckt; für 1 - a zeigt sich der Himmel</translation>
+    </message>
+    <message>
+        <source>mean of the sky that each lookup sees</source>
+        <translation>Mittel des Himmels, den jede Abfrage sieht</translation>
+    </message>
+    <message>
+        <source>the sky along R, not box-projected, at mip level %1</source>
+        <translation>der Himmel entlang R, nicht auf die Box projiziert, auf Mip-Stufe %1</translation>
+    </message>
+    <message>
+        <source>factor of L_spec: box occlusion by the distance d</source>
+        <translation>Faktor von L_spec: Boxverdeckung nach dem Abstand d</translation>
+    </message>
+    <message>
+        <source>its light from all directions around N, for the diffuse part</source>
+        <translation>ihr Licht aus allen Richtungen um N, für den diffusen Teil</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: %2 of the pixel, technique %3</source>
+        <translation>Sonde „%1“: %2 des Pixels, Technik %3</translation>
+    </message>
+    <message>
+        <source>weight of its influence box at P; intensity %1</source>
+        <translation>Gewicht ihrer Einflussbox bei P; Intensität %1</translation>
+    </message>
+    <message>
+        <source>weight of its influence box at P</source>
+        <translation>Gewicht ihrer Einflussbox bei P</translation>
+    </message>
+    <message>
+        <source>none: its share is too small to show</source>
+        <translation>keiner: ihr Anteil ist zu klein, um sichtbar zu sein</translation>
+    </message>
+    <message>
+        <source>none: not captured yet, it gives no light</source>
+        <translation>keiner: noch nicht aufgenommen, sie gibt kein Licht</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>wahr</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>Auge</translation>
+    </message>
+    <message>
+        <source>no box to hit: d and H are undefined</source>
+        <translation>keine Box zu treffen: d und H sind nicht definiert</translation>
+    </message>
+    <message>
+        <source>d = min(t_x, t_y, t_z) = min(%1, %2, %3) = %4</source>
+        <translation>d = min(t_x, t_y, t_z) = min(%1, %2, %3) = %4</translation>
+    </message>
+    <message>
+        <source>Plan (from above)</source>
+        <translation>Grundriss (von oben)</translation>
+    </message>
+    <message>
+        <source>Elevation (from the front)</source>
+        <translation>Aufriss (von vorn)</translation>
+    </message>
+    <message>
+        <source>Elevation (from the side)</source>
+        <translation>Aufriss (von der Seite)</translation>
+    </message>
+    <message>
+        <source>less than 0.1 degrees</source>
+        <translation>weniger als 0.1 Grad</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 Grad</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Widen the influence box of &quot;%1&quot;: %2</source>
+        <translation>Die Einflussbox von „%1“ erweitern: %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>The sky</source>
+        <translation>Der Himmel</translation>
+    </message>
+    <message>
+        <source>The sky, at %1</source>
+        <translation>Der Himmel, zu %1</translation>
+    </message>
+    <message>
+        <source>%1: the scene has no probe.</source>
+        <translation>%1: die Szene hat keine Sonde.</translation>
+    </message>
+    <message>
+        <source>%1, because the probeMode of &quot;%2&quot; is off.</source>
+        <translation>%1, weil der probeMode von „%2“ off ist.</translation>
+    </message>
+    <message>
+        <source>%1, because every influence box ends short of this point; the nearest, of &quot;%2&quot;, by %3 at %4.</source>
+        <translation>%1, weil jede Einflussbox vor diesem Punkt endet; die nächste, von „%2“, um %3 bei %4.</translation>
+    </message>
+    <message>
+        <source>%1, because the influence box of &quot;%2&quot; ends %3 short of this point at %4.</source>
+        <translation>%1, weil die Einflussbox von „%2“ bei %4 um %3 vor diesem Punkt endet.</translation>
+    </message>
+    <message>
+        <source>%1: no probe lights this object.</source>
+        <translation>%1: keine Sonde beleuchtet dieses Objekt.</translation>
+    </message>
+    <message>
+        <source>%1, because this point lies in the blend distance of &quot;%2&quot; at %3.</source>
+        <translation>%1, weil dieser Punkt in der Überblendstrecke von „%2“ bei %3 liegt.</translation>
+    </message>
+    <message>
+        <source>Move the %1 face of &quot;%2&quot; out by %3</source>
+        <translation>Fläche %1 von „%2“ um %3 nach außen verschieben</translation>
+    </message>
+    <message>
+        <source>Move the %1 face of &quot;%2&quot; in by %3</source>
+        <translation>Fläche %1 von „%2“ um %3 nach innen verschieben</translation>
+    </message>
+    <message>
+        <source>Project the lookups of &quot;%1&quot; on its box</source>
+        <translation>Die Abfragen von „%1“ auf ihre Box projizieren</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;</source>
+        <translation>Sonde „%1“</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;, at %2</source>
+        <translation>Sonde „%1“, zu %2</translation>
+    </message>
+    <message>
+        <source>%1: not captured yet, so it reflects nothing.</source>
+        <translation>%1: noch nicht aufgenommen, reflektiert also nichts.</translation>
+    </message>
+    <message>
+        <source>%1: it captured nothing in this direction, so the sky shows through it.</source>
+        <translation>%1: sie hat in dieser Richtung nichts aufgenommen, also scheint der Himmel durch.</translation>
+    </message>
+    <message>
+        <source>%1: its capture origin does not see where this ray ends, so its error is unknown.</source>
+        <translation>%1: ihr Aufnahmeursprung sieht nicht, wo dieser Strahl endet, also ist ihr Fehler unbekannt.</translation>
+    </message>
+    <message>
+        <source>%1, right to %2.</source>
+        <translation>%1, auf %2 genau.</translation>
+    </message>
+    <message>
+        <source>%1, %2 off: it is sampled by the reflection vector alone, without a hit point.</source>
+        <translation>%1, um %2 daneben: allein mit dem Reflexionsvektor abgetastet, ohne Trefferpunkt.</translation>
+    </message>
+    <message>
+        <source>the %1 face of its box</source>
+        <translation>die Fläche %1 ihrer Box</translation>
+    </message>
+    <message>
+        <source>its proxy</source>
+        <translation>ihren Proxy</translation>
+    </message>
+    <message>
+        <source>%1, %2 off: the ray meets %3 %4 before the surface that is there.</source>
+        <translation>%1, um %2 daneben: der Strahl trifft %3 %4 vor der Oberfläche, die dort ist.</translation>
+    </message>
+    <message>
+        <source>%1, %2 off: the ray meets %3 %4 behind the surface that is there.</source>
+        <translation>%1, um %2 daneben: der Strahl trifft %3 %4 hinter der Oberfläche, die dort ist.</translation>
+    </message>
+    <message>
+        <source>the light sources</source>
+        <translation>den Lichtquellen</translation>
+    </message>
+    <message>
+        <source>the surface itself</source>
+        <translation>der Oberfläche selbst</translation>
+    </message>
+    <message>
+        <source>light from all around, scattered</source>
+        <translation>ringsum einfallendem, gestreutem Licht</translation>
+    </message>
+    <message>
+        <source>Hardly a reflection: %1 of this light is from %2, %3 is reflected.</source>
+        <translation>Kaum eine Reflexion: %1 dieses Lichts stammen von %2, %3 sind reflektiert.</translation>
+    </message>
+    <message>
+        <source>The background: no surface is drawn here.</source>
+        <translation>Der Hintergrund: hier ist keine Oberfläche gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Glass: %1 of this light came through it.</source>
+        <translation>Glas: %1 dieses Lichts kamen hindurch.</translation>
+    </message>
+    <message>
+        <source>The planar mirror&apos;s own picture: something that moves takes %1 of the reflection.</source>
+        <translation>Das eigene Bild des ebenen Spiegels: etwas Bewegtes nimmt %1 der Reflexion ein.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 impostor is drawn by box</source>
+        <translation>%1 Impostor wird mit der Box gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 impostors are drawn by box</source>
+        <translation>%1 Impostoren werden mit der Box gezeichnet</translation>
+    </message>
+    <message>
+        <source>rays are chosen without tables of light</source>
+        <translation>Strahlen werden ohne Lichttabellen gewählt</translation>
+    </message>
+    <message>
+        <source>the sky is not occluded</source>
+        <translation>der Himmel wird nicht verdeckt</translation>
+    </message>
+    <message>
+        <source>%1 probe is left out</source>
+        <translation>%1 Sonde wird weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 probes are left out</source>
+        <translation>%1 Sonden werden weggelassen</translation>
+    </message>
+    <message>
+        <source>moving objects throw no shadow</source>
+        <translation>bewegte Objekte werfen keinen Schatten</translation>
+    </message>
+    <message>
+        <source>%1 texture of its material is left out</source>
+        <translation>%1 Textur seines Materials wird weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 textures of its material are left out</source>
+        <translation>%1 Texturen seines Materials werden weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 object is out of view or hidden: not drawn</source>
+        <translation>%1 Objekt ist außer Sicht oder verdeckt: nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 objects are out of view or hidden: not drawn</source>
+        <translation>%1 Objekte sind außer Sicht oder verdeckt: nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>the sky behind everything shows nowhere: not drawn</source>
+        <translation>der Himmel hinter allem ist nirgends zu sehen: nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 probe lights no visible object: nothing is captured for it</source>
+        <translation>%1 Sonde beleuchtet kein sichtbares Objekt: für sie wird nichts aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 probes light no visible object: nothing is captured for it</source>
+        <translation>%1 Sonden beleuchten kein sichtbares Objekt: für sie wird nichts aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 probe lights only what this frame does not show</source>
+        <translation>%1 Sonde beleuchtet nur, was dieses Bild nicht zeigt</translation>
+    </message>
+    <message>
+        <source>%1 probes light only what this frame does not show</source>
+        <translation>%1 Sonden beleuchten nur, was dieses Bild nicht zeigt</translation>
+    </message>
+    <message>
+        <source>%1 probe holds no texture</source>
+        <translation>%1 Sonde enthält keine Textur</translation>
+    </message>
+    <message>
+        <source>%1 probes hold no texture</source>
+        <translation>%1 Sonden enthalten keine Textur</translation>
+    </message>
+    <message>
+        <source>%1 mip level of %2 not filtered: no material samples it</source>
+        <translation>%1 Mip-Stufe von %2 nicht gefiltert: kein Material tastet sie ab</translation>
+    </message>
+    <message>
+        <source>%1 mip levels of %2 not filtered: no material samples them</source>
+        <translation>%1 Mip-Stufen von %2 nicht gefiltert: kein Material tastet sie ab</translation>
+    </message>
+    <message>
+        <source>%1 draw is unlit: no light, no probe</source>
+        <translation>%1 Zeichenaufruf ist unbeleuchtet: kein Licht, keine Sonde</translation>
+    </message>
+    <message>
+        <source>%1 draws are unlit: no light, no probe</source>
+        <translation>%1 Zeichenaufrufe sind unbeleuchtet: kein Licht, keine Sonde</translation>
+    </message>
+    <message>
+        <source>%1 draw has no probe: only the sky, no projection</source>
+        <translation>%1 Zeichenaufruf ohne Sonde: nur Himmel, keine Projektion</translation>
+    </message>
+    <message>
+        <source>%1 draws have no probe: only the sky, no projection</source>
+        <translation>%1 Zeichenaufrufe ohne Sonde: nur Himmel, keine Projektion</translation>
+    </message>
+    <message>
+        <source>%1 draw has one probe at full weight: no weights computed, no second lookup</source>
+        <translation>%1 Zeichenaufruf hat eine Sonde mit vollem Gewicht: keine Gewichte berechnet, keine zweite Abfrage</translation>
+    </message>
+    <message>
+        <source>%1 draws have one probe at full weight: no weights computed, no second lookup</source>
+        <translation>%1 Zeichenaufrufe haben eine Sonde mit vollem Gewicht: keine Gewichte berechnet, keine zweite Abfrage</translation>
+    </message>
+    <message>
+        <source>%1 draw leaves nothing to the sky: the sky is not sampled</source>
+        <translation>%1 Zeichenaufruf lässt dem Himmel nichts übrig: der Himmel wird nicht abgetastet</translation>
+    </message>
+    <message>
+        <source>%1 draws leave nothing to the sky: the sky is not sampled</source>
+        <translation>%1 Zeichenaufrufe lassen dem Himmel nichts übrig: der Himmel wird nicht abgetastet</translation>
+    </message>
+    <message>
+        <source>mirror &quot;%1&quot; has no picture: %2</source>
+        <translation>Spiegel „%1“ hat kein Bild: %2</translation>
+    </message>
+    <message>
+        <source>%1 object that moves</source>
+        <translation>%1 bewegtes Objekt</translation>
+    </message>
+    <message>
+        <source>%1 objects that move</source>
+        <translation>%1 bewegte Objekte</translation>
+    </message>
+    <message>
+        <source>%1 object that may hide them in depth alone</source>
+        <translation>%1 Objekt, das sie verdecken kann, nur als Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 objects that may hide them in depth alone</source>
+        <translation>%1 Objekte, die sie verdecken können, nur als Tiefe</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 x %3 texels, %4, %5</source>
+        <translation>„%1“: %2 x %3 Texel, %4, %5</translation>
+    </message>
+    <message>
+        <source>objects.%1: %2 probe beyond the %3 most important ones reach it and are left out; divide the object, or raise importance where it counts</source>
+        <translation>Objekt „%1“: außer den %3 wichtigsten Sonden erreicht es noch %2 und wird weggelassen; das Objekt teilen oder die Wichtigkeit erhöhen, wo es darauf ankommt</translation>
+    </message>
+    <message>
+        <source>objects.%1: %2 probes beyond the %3 most important ones reach it and are left out; divide the object, or raise importance where it counts</source>
+        <translation>Objekt „%1“: außer den %3 wichtigsten Sonden erreichen es noch %2 und werden weggelassen; das Objekt teilen oder die Wichtigkeit erhöhen, wo es darauf ankommt</translation>
+    </message>
+    <message>
+        <source>objects.%1: this OpenGL driver has too few texture units for its probes and textures; %2</source>
+        <translation>Objekt „%1“: dieser OpenGL-Treiber hat zu wenige Textureinheiten für seine Sonden und Texturen; %2</translation>
+    </message>
+    <message>
+        <source>it is switched off, hidden, or not lit by probes</source>
+        <translation>er ist ausgeschaltet, ausgeblendet oder nicht von Sonden beleuchtet</translation>
+    </message>
+    <message>
+        <source>it is rougher than its maxRoughness</source>
+        <translation>er ist rauer als seine maxRoughness</translation>
+    </message>
+    <message>
+        <source>it faces away</source>
+        <translation>er ist abgewandt</translation>
+    </message>
+    <message>
+        <source>it is out of view</source>
+        <translation>er ist außer Sicht</translation>
+    </message>
+    <message>
+        <source>no dynamic object is in its view</source>
+        <translation>kein bewegtes Objekt ist in seiner Sicht</translation>
+    </message>
+    <message>
+        <source>larger mirrors used up the mirrorBudget</source>
+        <translation>größere Spiegel haben das mirrorBudget verbraucht</translation>
+    </message>
+    <message>
+        <source>No surface at this pixel: it shows the sky, so there is no point, normal or reflected ray.</source>
+        <translation>Keine Oberfläche an diesem Pixel: es zeigt den Himmel, also gibt es weder Punkt noch Normale noch reflektierten Strahl.</translation>
+    </message>
+    <message>
+        <source>pictures were not compared: nobody can stand in these rooms</source>
+        <translation>Bilder wurden nicht verglichen: in diesen Räumen kann niemand stehen</translation>
+    </message>
+    <message>
+        <source>pictures were not compared: only lamps and unlit surfaces are seen</source>
+        <translation>Bilder wurden nicht verglichen: zu sehen sind nur Lampen und unbeleuchtete Oberflächen</translation>
+    </message>
+    <message>
+        <source>pictures were not compared: the light that reaches the rooms is too little to tell it from noise</source>
+        <translation>Bilder wurden nicht verglichen: in die Räume fällt zu wenig Licht, um es vom Rauschen zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>pictures were not compared: the scene has no light</source>
+        <translation>Bilder wurden nicht verglichen: die Szene hat kein Licht</translation>
+    </message>
+    <message>
+        <source>one box around all rooms: error %1</source>
+        <translation>eine Box um alle Räume: Fehler %1</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s own probes with %1 bounces: error %2</source>
+        <translation>die Sonden der Szene mit %1 Abprallern: Fehler %2</translation>
+    </message>
+    <message>
+        <source>one box around all rooms measured better than one for each</source>
+        <translation>eine Box um alle Räume war messbar besser als eine für jeden</translation>
+    </message>
+    <message>
+        <source>fitted to all of the model, which measured better than its rooms</source>
+        <translation>dem ganzen Modell angepasst, was messbar besser war als seine Räume</translation>
+    </message>
+    <message>
+        <source>no probe made the pictures better: none is proposed</source>
+        <translation>keine Sonde hat die Bilder verbessert: keine wird vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>nothing measured better than the scene&apos;s own probes, which stay</source>
+        <translation>nichts war messbar besser als die Sonden der Szene, die bleiben</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s own probes stay, with %1 bounces</source>
+        <translation>die Sonden der Szene bleiben, mit %1 Abprallern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; captured at (%2, %3, %4): error %5 -&gt; %6</source>
+        <translation>„%1“ bei (%2, %3, %4) aufgenommen: Fehler %5 -&gt; %6</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; captured at (%2, %3, %4): error %5 -&gt; %6, left out</source>
+        <translation>„%1“ bei (%2, %3, %4) aufgenommen: Fehler %5 -&gt; %6, weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 probes captured from elsewhere: error %2 -&gt; %3</source>
+        <translation>%1 Sonden von anderswo aufgenommen: Fehler %2 -&gt; %3</translation>
+    </message>
+    <message>
+        <source>%1 probes captured from elsewhere: error %2 -&gt; %3, left out</source>
+        <translation>%1 Sonden von anderswo aufgenommen: Fehler %2 -&gt; %3, weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 bounces of light in the captures: error %2 -&gt; %3</source>
+        <translation>%1 Abpraller des Lichts in den Aufnahmen: Fehler %2 -&gt; %3</translation>
+    </message>
+    <message>
+        <source>%1 bounces of light in the captures: error %2 -&gt; %3, left out</source>
+        <translation>%1 Abpraller des Lichts in den Aufnahmen: Fehler %2 -&gt; %3, weggelassen</translation>
+    </message>
+    <message>
+        <source>without &quot;%1&quot;: error %2 -&gt; %3, it stays</source>
+        <translation>ohne „%1“: Fehler %2 -&gt; %3, sie bleibt</translation>
+    </message>
+    <message>
+        <source>without &quot;%1&quot;: error %2 -&gt; %3, left out</source>
+        <translation>ohne „%1“: Fehler %2 -&gt; %3, weggelassen</translation>
+    </message>
+    <message>
+        <source>%1; without it the error grows by %2</source>
+        <translation>%1; ohne sie wächst der Fehler um %2</translation>
+    </message>
+    <message>
+        <source>%1; without it the error is the same</source>
+        <translation>%1; ohne sie ist der Fehler gleich</translation>
+    </message>
+    <message>
+        <source>the origin is inside of a wall: nothing is fitted; move the origin into the room</source>
+        <translation>der Ursprung liegt in einer Wand: nichts wird angepasst; den Ursprung in den Raum verschieben</translation>
+    </message>
+    <message>
+        <source>open: nothing to fit to; the box stays</source>
+        <translation>offen: nichts zum Anpassen; die Box bleibt</translation>
+    </message>
+    <message>
+        <source>no better box was found: it stays</source>
+        <translation>keine bessere Box gefunden: sie bleibt</translation>
+    </message>
+    <message>
+        <source>the place is not rectangular</source>
+        <translation>der Ort ist nicht rechteckig</translation>
+    </message>
+    <message>
+        <source>a quarter of the reflections and more stay off by over 5 degrees: use the technique impostor, or more probes</source>
+        <translation>ein Viertel der Reflexionen und mehr bleiben um über 5 Grad daneben: die Technik Impostor oder mehr Sonden verwenden</translation>
+    </message>
+    <message>
+        <source>no better origin was found: it stays</source>
+        <translation>kein besserer Ursprung gefunden: er bleibt</translation>
+    </message>
+    <message>
+        <source>no room was found: back sides of surfaces close in the space within; if it is a room, its faces are inverted: turn them over, or use --as interior</source>
+        <translation>kein Raum gefunden: Rückseiten von Oberflächen umschließen den Innenraum; ist es ein Raum, sind seine Flächen umgekehrt: umdrehen, oder Modell &gt; Behandeln als &gt; Innenraum wählen</translation>
+    </message>
+    <message>
+        <source>open: no room was found; nothing is closed in by a floor and walls</source>
+        <translation>offen: kein Raum gefunden; nichts ist von Boden und Wänden umschlossen</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s probes stay</source>
+        <translation>die Sonden der Szene bleiben</translation>
+    </message>
+    <message>
+        <source>the walls show their back sides to the rooms: the model&apos;s faces are inverted</source>
+        <translation>die Wände zeigen den Räumen ihre Rückseiten: die Flächen des Modells sind umgekehrt</translation>
+    </message>
+    <message>
+        <source>%1 closed spaces are too small for a room and have no probe</source>
+        <translation>%1 geschlossene Hohlräume sind zu klein für einen Raum und haben keine Sonde</translation>
+    </message>
+    <message>
+        <source>the model is very large for the height of its rooms: doors may be missed</source>
+        <translation>das Modell ist für die Höhe seiner Räume sehr groß: Türen können übersehen werden</translation>
+    </message>
+    <message>
+        <source>it has the probe %1, which is kept</source>
+        <translation>er hat die Sonde %1, die bleibt</translation>
+    </message>
+    <message>
+        <source>%1: its origin is in no room, inside of a wall or in the open; it is kept</source>
+        <translation>%1: ihr Ursprung liegt in keinem Raum, in einer Wand oder im Freien; sie bleibt</translation>
+    </message>
+    <message>
+        <source>left out: it has no ceiling, and no surface in it is smoother than roughness 0.6</source>
+        <translation>weggelassen: er hat keine Decke, und keine Oberfläche darin ist glatter als Rauheit 0.6</translation>
+    </message>
+    <message>
+        <source>left out: no more than %1 probes were asked for</source>
+        <translation>weggelassen: mehr als %1 Sonden waren nicht verlangt</translation>
+    </message>
+    <message>
+        <source>its first probe leaves %1 of %2 degrees</source>
+        <translation>seine erste Sonde lässt %1 von %2 Grad</translation>
+    </message>
+    <message>
+        <source>of %1 more places the best gains %2 degrees; %3 are needed</source>
+        <translation>von %1 weiteren Plätzen gewinnt der beste %2 Grad; nötig sind %3</translation>
+    </message>
+    <message>
+        <source>one more would gain %1 degrees; no more than %2 probes were asked for</source>
+        <translation>eine weitere würde %1 Grad gewinnen; mehr als %2 Sonden waren nicht verlangt</translation>
+    </message>
+    <message>
+        <source>one more gains %1 degrees</source>
+        <translation>eine weitere gewinnt %1 Grad</translation>
+    </message>
+    <message>
+        <source>the others cover its first probe, which gains only %1 degrees: left out</source>
+        <translation>die anderen decken seine erste Sonde ab, die nur %1 Grad gewinnt: weggelassen</translation>
+    </message>
+    <message>
+        <source>for what is seen outside of the rooms: %1 % of all surfaces</source>
+        <translation>für das außerhalb der Räume Sichtbare: %1 % aller Oberflächen</translation>
+    </message>
+    <message>
+        <source>the only one of %1</source>
+        <translation>die einzige von %1</translation>
+    </message>
+    <message>
+        <source>for all of %1</source>
+        <translation>für ganz %1</translation>
+    </message>
+    <message>
+        <source>for a part of %1, where it lowers the lookup error by %2 degrees</source>
+        <translation>für einen Teil von %1, wo sie den Abfragefehler um %2 Grad senkt</translation>
+    </message>
+    <message>
+        <source>under 1 s left</source>
+        <translation>noch unter 1 s</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>noch %1 s</translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation>noch %1 min</translation>
+    </message>
+    <message>
+        <source>the file has no light: %1</source>
+        <translation>die Datei hat kein Licht: %1</translation>
+    </message>
+    <message>
+        <source>as you chose, %1</source>
+        <translation>wie gewählt: %1</translation>
+    </message>
+    <message>
+        <source>there is no room with a ceiling: %1</source>
+        <translation>es gibt keinen Raum mit Decke: %1</translation>
+    </message>
+    <message>
+        <source>there are no openings: %1</source>
+        <translation>es gibt keine Öffnungen: %1</translation>
+    </message>
+    <message>
+        <source>the file has no light, and you chose the file&apos;s</source>
+        <translation>die Datei hat kein Licht, und gewählt ist das der Datei</translation>
+    </message>
+    <message>
+        <source>the light is the file&apos;s</source>
+        <translation>das Licht ist das der Datei</translation>
+    </message>
+    <message>
+        <source>the lights are the file&apos;s</source>
+        <translation>die Lichter sind die der Datei</translation>
+    </message>
+    <message>
+        <source>a studio lights it</source>
+        <translation>ein Studio beleuchtet es</translation>
+    </message>
+    <message>
+        <source>soft lamps hang under the ceiling</source>
+        <translation>weiche Lampen hängen unter der Decke</translation>
+    </message>
+    <message>
+        <source>the sky shines in through the openings</source>
+        <translation>der Himmel scheint durch die Öffnungen herein</translation>
+    </message>
+    <message>
+        <source>sky and sun light it</source>
+        <translation>Himmel und Sonne beleuchten es</translation>
+    </message>
+    <message>
+        <source>an open place</source>
+        <translation>offener Ort</translation>
+    </message>
+    <message>
+        <source>an interior</source>
+        <translation>Innenraum</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>treated as %1 as you chose</source>
+        <translation>als %1 behandelt, wie gewählt</translation>
+    </message>
+    <message>
+        <source>treated as %1 (%2)</source>
+        <translation>als %1 behandelt (%2)</translation>
+    </message>
+    <message>
+        <source>one probe within it</source>
+        <translation>eine Sonde darin</translation>
+    </message>
+    <message>
+        <source>no probe, the surroundings alone are reflected</source>
+        <translation>keine Sonde, nur die Umgebung wird reflektiert</translation>
+    </message>
+    <message>
+        <source>%1; %2; %3</source>
+        <translation>%1; %2; %3</translation>
+    </message>
+    <message>
+        <source>%1 m high</source>
+        <translation>%1 m hoch</translation>
+    </message>
+    <message>
+        <source>%1 m wide</source>
+        <translation>%1 m breit</translation>
+    </message>
+    <message>
+        <source>It seems to lie on its side</source>
+        <translation>Es scheint auf der Seite zu liegen</translation>
+    </message>
+    <message>
+        <source>In metres it would be %1, and it seems to lie on its side</source>
+        <translation>In Metern wäre es %1, und es scheint auf der Seite zu liegen</translation>
+    </message>
+    <message>
+        <source>In metres it would be %1</source>
+        <translation>In Metern wäre es %1</translation>
+    </message>
+    <message>
+        <source>%1 of the points within it are closed in by front sides</source>
+        <translation>%1 der Punkte darin sind von Vorderseiten umschlossen</translation>
+    </message>
+    <message>
+        <source>%1 of the points within it have a floor, walls around and sky above</source>
+        <translation>%1 der Punkte darin haben einen Boden, Wände ringsum und Himmel darüber</translation>
+    </message>
+    <message>
+        <source>%1 of the points within it stand over a floor, below the sky</source>
+        <translation>%1 der Punkte darin stehen über einem Boden unter dem Himmel</translation>
+    </message>
+    <message>
+        <source>%1 of the points within it lie inside of it or see back sides</source>
+        <translation>%1 der Punkte darin liegen in seinem Inneren oder sehen Rückseiten</translation>
+    </message>
+    <message>
+        <source>%1 of the rays from points within it leave to the sky</source>
+        <translation>%1 der Strahlen von Punkten darin gehen in den Himmel</translation>
+    </message>
+    <message>
+        <source>it has no surface that hides what is behind it</source>
+        <translation>es hat keine Oberfläche, die etwas hinter sich verdeckt</translation>
     </message>
 </context>
 <context>

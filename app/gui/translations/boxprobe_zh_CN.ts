@@ -143,6 +143,17 @@
     </message>
 </context>
 <context>
+    <name>ExplanationHtml</name>
+    <message>
+        <source>smallest</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Lengths in scene units, directions without, colours linear; swatches as the picture shows them.</source>
+        <translation>长度以场景单位计，方向无单位，颜色为线性；色块与画面所示一致。</translation>
+    </message>
+</context>
+<context>
     <name>FieldForm</name>
     <message>
         <source>%1 Default: %2</source>
@@ -534,6 +545,17 @@
     </message>
 </context>
 <context>
+    <name>PictureInset</name>
+    <message>
+        <source>from the side</source>
+        <translation>侧面观察</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>俯视</translation>
+    </message>
+</context>
+<context>
     <name>QMainWindow</name>
     <message>
         <source>Lessons</source>
@@ -612,6 +634,22 @@
         <source>Click the two ends with the Explain tool on (E).</source>
         <translation>打开“解释”工具（E），单击两个端点。</translation>
     </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 个点</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 个点</translation>
+    </message>
+    <message>
+        <source>show rays in the debug dock first</source>
+        <translation>请先在“调试”标签页中显示光线</translation>
+    </message>
+    <message>
+        <source>no rays are shown that could be saved to %1; %2</source>
+        <translation>没有显示可保存到 %1 的光线；%2</translation>
+    </message>
 </context>
 <context>
     <name>Recovery</name>
@@ -666,6 +704,13 @@
     <message>
         <source>&amp;Not now</source>
         <translation>暂不(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>SchematicPainter</name>
+    <message>
+        <source>from the eye</source>
+        <translation>来自眼睛</translation>
     </message>
 </context>
 <context>
@@ -1685,6 +1730,46 @@
         <source>it stays in the image</source>
         <translation>保留在图片中</translation>
     </message>
+    <message>
+        <source>eye ray</source>
+        <translation>视线</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>reflected ray</source>
+        <translation>反射光线</translation>
+    </message>
+    <message>
+        <source>lookup</source>
+        <translation>查询</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>采样</translation>
+    </message>
+    <message>
+        <source>true hit</source>
+        <translation>真实命中点</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>within glass</source>
+        <translation>玻璃内</translation>
+    </message>
+    <message>
+        <source>refracted ray</source>
+        <translation>折射光线</translation>
+    </message>
+    <message>
+        <source>shadow ray</source>
+        <translation>阴影光线</translation>
+    </message>
 </context>
 <context>
     <name>TypedNumber</name>
@@ -2647,6 +2732,10 @@
     <message>
         <source>Under the pointer</source>
         <translation>指针下</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
     </message>
 </context>
 <context>
@@ -4350,8 +4439,8 @@ one lookup, on face %1</source>
         <translation>关闭镜子 %1</translation>
     </message>
     <message>
-        <source>It %1.</source>
-        <translation>它%1。</translation>
+        <source>It is not one flat surface, so it cannot be a planar mirror.</source>
+        <translation>它不是单一的平坦表面，因此不能作为平面镜。</translation>
     </message>
 </context>
 <context>
@@ -4609,6 +4698,1217 @@ one lookup, on face %1</source>
     <message>
         <source>Frame</source>
         <translation>帧</translation>
+    </message>
+</context>
+<context>
+    <name>boxprobe::Phrase</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>The material is unlit: it shows its colour, no light and no probe.</source>
+        <translation>该材质不受光照：只显示其颜色，没有光照和探针。</translation>
+    </message>
+    <message>
+        <source>The surface has no normal here, so there is no reflected ray to project.</source>
+        <translation>表面在此处没有法线，因此没有可投影的反射光线。</translation>
+    </message>
+    <message>
+        <source>The shading normal points away from the eye. A ray reflected about it would start below the surface, so it goes straight on.</source>
+        <translation>着色法线背离眼睛。绕它反射的光线会从表面之下出发，因此光线直行。</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: its weight is 0 here, so it is not sampled.</source>
+        <translation>探针“%1”：其权重在此处为 0，因此不采样。</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot; has not been captured yet: it reflects nothing.</source>
+        <translation>探针“%1”尚未捕捉：不反射任何内容。</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: technique %2 has no box to hit, so hit point and distance are undefined; the surroundings are taken to be infinitely far away.</source>
+        <translation>探针“%1”：技术 %2 没有可命中的盒，因此命中点和距离未定义；周围环境视为无限远。</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: the capture origin lies outside the projection box, so a part of the sampled surfaces was never captured from inside the box.</source>
+        <translation>探针“%1”：捕捉原点位于投影盒之外，因此所采样表面的一部分从未在盒内捕捉。</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: the point lies outside the projection box; distances to planes behind it count as 0 and the hit is pulled on to the box.</source>
+        <translation>探针“%1”：该点位于投影盒之外；到其后方平面的距离按 0 计，命中点被拉到盒上。</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: its distances do not give the true hit here (open sky, or hidden from the capture origin).</source>
+        <translation>探针“%1”：其距离在此处得不到真实命中点（开阔的天空，或从捕捉原点看被遮挡）。</translation>
+    </message>
+    <message>
+        <source>The surface is translucent. What lies behind it shows through and is not explained here.</source>
+        <translation>表面是半透明的。其后方的内容会透出，此处不作解释。</translation>
+    </message>
+    <message>
+        <source>Light passes the glass nearly straight: %1 % of what the picture shows here is what is drawn behind, in place of the lookup, and is not part of this.</source>
+        <translation>光几乎笔直地穿过玻璃：画面在此处所示的 %1 % 是后方所绘内容，取代了查询，不在此列。</translation>
+    </message>
+    <message>
+        <source>Where something opaque is drawn along the refracted ray, the picture shows that in place of this lookup.</source>
+        <translation>沿折射光线绘有不透明物体之处，画面显示该物体，而非此查询的结果。</translation>
+    </message>
+    <message>
+        <source>No probe lights this object, because none reaches it or its probeMode is off. The current sky shows through, not box-projected.</source>
+        <translation>没有探针照亮此物体，因为没有探针触及它，或其 probeMode 为 off。透出当前的天空，不作盒投影。</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: auto chose %2 for this object&apos;s roughness.</source>
+        <translation>探针“%1”：auto 按此物体的粗糙度选择了 %2。</translation>
+    </message>
+    <message>
+        <source>undefined</source>
+        <translation>未定义</translation>
+    </message>
+    <message>
+        <source>infinite</source>
+        <translation>无限</translation>
+    </message>
+    <message>
+        <source>-infinite</source>
+        <translation>-无限</translation>
+    </message>
+    <message>
+        <source>Surface: object &quot;%1&quot;, material &quot;%2&quot;</source>
+        <translation>表面：物体“%1”，材质“%2”</translation>
+    </message>
+    <message>
+        <source>shading point</source>
+        <translation>着色点</translation>
+    </message>
+    <message>
+        <source>shading normal, unit</source>
+        <translation>着色法线，单位向量</translation>
+    </message>
+    <message>
+        <source>the surface has no normal here</source>
+        <translation>表面在此处没有法线</translation>
+    </message>
+    <message>
+        <source>towards the eye, unit</source>
+        <translation>朝向眼睛，单位向量</translation>
+    </message>
+    <message>
+        <source>N bent towards the eye across the brushing; R is about it</source>
+        <translation>N 横向于拉丝方向朝眼睛弯折；R 绕它反射</translation>
+    </message>
+    <message>
+        <source>reflected direction, 2 max(N.V, 0) N - V</source>
+        <translation>反射方向，2 max(N.V, 0) N - V</translation>
+    </message>
+    <message>
+        <source>cosine of the view angle</source>
+        <translation>视角的余弦</translation>
+    </message>
+    <message>
+        <source>perceptual roughness; alpha = p^2 = %1</source>
+        <translation>感知粗糙度；alpha = p^2 = %1</translation>
+    </message>
+    <message>
+        <source>albedo</source>
+        <translation>反照率</translation>
+    </message>
+    <message>
+        <source>base colour; metallic %1</source>
+        <translation>基础颜色；金属度 %1</translation>
+    </message>
+    <message>
+        <source>reflectance at normal incidence: mix(%1, base colour, metallic)</source>
+        <translation>垂直入射时的反射率：mix(%1, 基础颜色, 金属度)</translation>
+    </message>
+    <message>
+        <source>the material&apos;s occlusion, a factor of all light but emission</source>
+        <translation>材质的遮蔽，除自发光外所有光照的系数</translation>
+    </message>
+    <message>
+        <source>opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>of the surface</source>
+        <translation>表面的不透明度</translation>
+    </message>
+    <message>
+        <source>Sky: %1 of the pixel</source>
+        <translation>天空：占该像素 %1</translation>
+    </message>
+    <message>
+        <source>the share that no probe takes, sampled along R at mip level %1</source>
+        <translation>没有探针占用的份额，沿 R 在 mip 级别 %1 采样</translation>
+    </message>
+    <message>
+        <source>Glass: %1, seen from within</source>
+        <translation>玻璃：%1，从内部观察</translation>
+    </message>
+    <message>
+        <source>Glass: %1</source>
+        <translation>玻璃：%1</translation>
+    </message>
+    <message>
+        <source>index on the eye&apos;s side over that beyond; the glass has %1</source>
+        <translation>眼睛一侧的折射率除以另一侧的折射率；玻璃为 %1</translation>
+    </message>
+    <message>
+        <source>totally reflected: the view is flatter than the critical angle</source>
+        <translation>全反射：视线比临界角更平</translation>
+    </message>
+    <message>
+        <source>exact Fresnel reflectance of a dielectric at N.V</source>
+        <translation>电介质在 N.V 处的精确菲涅耳反射率</translation>
+    </message>
+    <message>
+        <source>refracted view direction, in which the probes are sampled</source>
+        <translation>折射后的视线方向，沿此方向采样探针</translation>
+    </message>
+    <message>
+        <source>%1, bent at the front and where it leaves</source>
+        <translation>%1，在正面和离开处弯折</translation>
+    </message>
+    <message>
+        <source>%1; mirrored within %2 times on the way</source>
+        <translation>%1；途中在内部反射 %2 次</translation>
+    </message>
+    <message>
+        <source>from where it is followed to the box</source>
+        <translation>从此处追踪到盒</translation>
+    </message>
+    <message>
+        <source>the way within</source>
+        <translation>内部的路程</translation>
+    </message>
+    <message>
+        <source>roughness of a mirror that would scatter as far; gives the mip level</source>
+        <translation>散射程度相同的镜面的粗糙度；决定 mip 级别</translation>
+    </message>
+    <message>
+        <source>left of white light after x</source>
+        <translation>白光经过 x 后所剩</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>factor: transmission (1 - reflected) base colour Beer</source>
+        <translation>系数：透射 (1 - 反射) 基础颜色 Beer</translation>
+    </message>
+    <message>
+        <source>found along T: %1</source>
+        <translation>沿 T 得到：%1</translation>
+    </message>
+    <message>
+        <source>Planar mirror: objects that move take %1 of the reflection</source>
+        <translation>平面镜：移动物体占反射的 %1</translation>
+    </message>
+    <message>
+        <source>coverage of the mirror&apos;s picture over the lobe; the probes keep 1 - a</source>
+        <translation>镜像画面在波瓣上的覆盖率；探针保留 1 - a</translation>
+    </message>
+    <message>
+        <source>along R to what moves, by its height over the mirror</source>
+        <translation>沿 R 到移动物体，按其高出镜面的高度</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>级别</translation>
+    </message>
+    <message>
+        <source>whose texels are as large as the lobe at that distance; %1 fetches</source>
+        <translation>其纹素与该距离处的波瓣一样大；%1 次读取</translation>
+    </message>
+    <message>
+        <source>its light, times a</source>
+        <translation>其光照，乘以 a</translation>
+    </message>
+    <message>
+        <source>factor of L_dyn: share and intensity of the probes</source>
+        <translation>L_dyn 的系数：探针的份额与强度</translation>
+    </message>
+    <message>
+        <source>Light %1: what lets it through</source>
+        <translation>光源 %1：通过的部分</translation>
+    </message>
+    <message>
+        <source>towards the light</source>
+        <translation>朝向光源</translation>
+    </message>
+    <message>
+        <source>along L to where it leaves the box of probe &quot;%1&quot;</source>
+        <translation>沿 L 到离开探针“%1”的盒之处</translation>
+    </message>
+    <message>
+        <source>there; what the probe&apos;s coverage is looked up for</source>
+        <translation>该处；为此查询探针的覆盖率</translation>
+    </message>
+    <message>
+        <source>1 - coverage, coloured by glass, at level %1</source>
+        <translation>1 - 覆盖率，由玻璃着色，级别 %1</translation>
+    </message>
+    <message>
+        <source>factor of the shadow map of what moves</source>
+        <translation>移动物体的阴影贴图的系数</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>透过</translation>
+    </message>
+    <message>
+        <source>none: the surface faces away from it</source>
+        <translation>无：表面背向该光源</translation>
+    </message>
+    <message>
+        <source>factor of the light in `direct`</source>
+        <translation>“直接”中该光照的系数</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>总和</translation>
+    </message>
+    <message>
+        <source>direct</source>
+        <translation>直接</translation>
+    </message>
+    <message>
+        <source>light sources</source>
+        <translation>光源</translation>
+    </message>
+    <message>
+        <source>emissive</source>
+        <translation>自发光</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s own light</source>
+        <translation>表面自身的光</translation>
+    </message>
+    <message>
+        <source>light from all directions around N, times the base colour; %1 of the pixel</source>
+        <translation>N 周围各方向的光，乘以基础颜色；占该像素 %1</translation>
+    </message>
+    <message>
+        <source>light from all directions around N, times the base colour</source>
+        <translation>N 周围各方向的光，乘以基础颜色</translation>
+    </message>
+    <message>
+        <source>diffuse</source>
+        <translation>漫反射</translation>
+    </message>
+    <message>
+        <source>reflected light times F (A + B); A = %1, B = %2 of the split sum</source>
+        <translation>反射光乘以 F (A + B)；A = %1，B = %2，来自 split sum</translation>
+    </message>
+    <message>
+        <source>reflected light times F_0 A + F_90 B; A = %1, B = %2 of the split sum</source>
+        <translation>反射光乘以 F_0 A + F_90 B；A = %1，B = %2，来自 split sum</translation>
+    </message>
+    <message>
+        <source>specular</source>
+        <translation>镜面反射</translation>
+    </message>
+    <message>
+        <source>glass</source>
+        <translation>玻璃</translation>
+    </message>
+    <message>
+        <source>what is looked through: passes times L_T</source>
+        <translation>透视所见：通过乘以 L_T</translation>
+    </message>
+    <message>
+        <source>sheen</source>
+        <translation>织物光泽</translation>
+    </message>
+    <message>
+        <source>the same light, sent back by cloth&apos;s fibres</source>
+        <translation>同样的光，由织物纤维反射回来</translation>
+    </message>
+    <message>
+        <source>coat</source>
+        <translation>清漆</translation>
+    </message>
+    <message>
+        <source>what the clear coat changes</source>
+        <translation>清漆层带来的变化</translation>
+    </message>
+    <message>
+        <source>color</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>computed: linear light before exposure</source>
+        <translation>计算值：曝光前的线性光</translation>
+    </message>
+    <message>
+        <source>the pixel as drawn; differs by %1 of the brightest texel</source>
+        <translation>所绘的像素；相差最亮纹素的 %1</translation>
+    </message>
+    <message>
+        <source>the pixel as drawn; differs by %1 of the colour</source>
+        <translation>所绘的像素；相差该颜色的 %1</translation>
+    </message>
+    <message>
+        <source>rendered</source>
+        <translation>绘制值</translation>
+    </message>
+    <message>
+        <source>Pixel %1, %2</source>
+        <translation>像素 %1, %2</translation>
+    </message>
+    <message>
+        <source>Pixel %1, %2: the background</source>
+        <translation>像素 %1, %2：背景</translation>
+    </message>
+    <message>
+        <source>linear light before exposure</source>
+        <translation>曝光前的线性光</translation>
+    </message>
+    <message>
+        <source>what the sky shows there, linear</source>
+        <translation>天空在该处所示，线性</translation>
+    </message>
+    <message>
+        <source>probe &quot;%1&quot; %2 %</source>
+        <translation>探针“%1” %2 %</translation>
+    </message>
+    <message>
+        <source>sky %1 %</source>
+        <translation>天空 %1 %</translation>
+    </message>
+    <message>
+        <source>R has no part along %1: that pair of planes is never met</source>
+        <translation>R 沿 %1 没有分量：永远不会遇到这对平面</translation>
+    </message>
+    <message>
+        <source>counts as 0: P lies beyond that plane</source>
+        <translation>按 0 计：P 位于该平面之外</translation>
+    </message>
+    <message>
+        <source>where the probe was captured</source>
+        <translation>捕捉探针之处</translation>
+    </message>
+    <message>
+        <source>from the capture origin, along the box&apos;s own axes</source>
+        <translation>从捕捉原点起，沿盒自身的轴</translation>
+    </message>
+    <message>
+        <source>from the capture origin</source>
+        <translation>从捕捉原点起</translation>
+    </message>
+    <message>
+        <source>reflected direction along the box&apos;s own axes</source>
+        <translation>沿盒自身轴的反射方向</translation>
+    </message>
+    <message>
+        <source>box relative to C, along the box&apos;s own axes</source>
+        <translation>相对于 C 的盒，沿盒自身的轴</translation>
+    </message>
+    <message>
+        <source>box relative to C</source>
+        <translation>相对于 C 的盒</translation>
+    </message>
+    <message>
+        <source>along R to the proxy</source>
+        <translation>沿 R 到代理体</translation>
+    </message>
+    <message>
+        <source>%1: the ray leaves through the face %2</source>
+        <translation>%1：光线从面 %2 离开</translation>
+    </message>
+    <message>
+        <source>radius of the box&apos;s rounded edges at this roughness</source>
+        <translation>此粗糙度下盒的圆棱半径</translation>
+    </message>
+    <message>
+        <source>along R to the hit as the technique refines it, by %1 lookups of the captured distances</source>
+        <translation>沿 R 到技术细化后的命中点，对所捕捉距离查询 %1 次</translation>
+    </message>
+    <message>
+        <source>along R to the rounded edge</source>
+        <translation>沿 R 到圆棱</translation>
+    </message>
+    <message>
+        <source>hit point, P + d R</source>
+        <translation>命中点，P + d R</translation>
+    </message>
+    <message>
+        <source>direction in which the cubemap is sampled</source>
+        <translation>采样立方体贴图的方向</translation>
+    </message>
+    <message>
+        <source>what the cubemap is looked up with; nothing is hit</source>
+        <translation>用于查询立方体贴图；没有命中</translation>
+    </message>
+    <message>
+        <source>along R to the captured surface; the proxy is off by %1</source>
+        <translation>沿 R 到所捕捉的表面；代理体偏差 %1</translation>
+    </message>
+    <message>
+        <source>along R to the captured surface</source>
+        <translation>沿 R 到所捕捉的表面</translation>
+    </message>
+    <message>
+        <source>texel %1, %2 of face %3, level %4</source>
+        <translation>面 %3 的纹素 %1, %2，级别 %4</translation>
+    </message>
+    <message>
+        <source>%1 more texels</source>
+        <translation>另有 %1 个纹素</translation>
+    </message>
+    <message>
+        <source>level %1 of 0 to %2, baked for roughness %3</source>
+        <translation>级别 %1（0 至 %2），按粗糙度 %3 烘焙</translation>
+    </message>
+    <message>
+        <source>%1 more lookups, which bring less light: %2 together, their mean; levels %3 to %4</source>
+        <translation>另有 %1 次查询，带来的光较少：合计 %2，取其平均；级别 %3 至 %4</translation>
+    </message>
+    <message>
+        <source>lamp &quot;%1&quot; as a shape: it fills %2 of the cosine hemisphere around N</source>
+        <translation>灯具“%1”作为形状：占 N 周围余弦半球的 %2</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 占 %2</translation>
+    </message>
+    <message>
+        <source>%1 by %2 (within something: filled from its neighbours)</source>
+        <translation>%1 占 %2（位于物体内：由相邻格点填充）</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+    <message>
+        <source>everything else, from a lattice of %1 x %2 x %3 nodes (%5 ways between them cut): %4</source>
+        <translation>其余，来自 %1 x %2 x %3 个节点的格点（其间 %5 条通路被切断）：%4</translation>
+    </message>
+    <message>
+        <source>everything else, from a lattice of %1 x %2 x %3 nodes: %4</source>
+        <translation>其余，来自 %1 x %2 x %3 个节点的格点：%4</translation>
+    </message>
+    <message>
+        <source>%1 (sharper than the surface&apos;s %2)</source>
+        <translation>%1（比表面的 %2 更清晰）</translation>
+    </message>
+    <message>
+        <source>%1 (softer than the surface&apos;s %2)</source>
+        <translation>%1（比表面的 %2 更柔和）</translation>
+    </message>
+    <message>
+        <source>fetch</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>fetch %1</source>
+        <translation>读取 %1</translation>
+    </message>
+    <message>
+        <source>the probe&apos;s reflected light: its lookups by their shares</source>
+        <translation>探针的反射光：其各次查询按份额相加</translation>
+    </message>
+    <message>
+        <source>how much of that the probe covers; the sky shows for 1 - a</source>
+        <translation>探针覆盖其中的多少；其余 1 - a 显示天空</translation>
+    </message>
+    <message>
+        <source>mean of the sky that each lookup sees</source>
+        <translation>各次查询所见天空的平均</translation>
+    </message>
+    <message>
+        <source>the sky along R, not box-projected, at mip level %1</source>
+        <translation>沿 R 的天空，不作盒投影，mip 级别 %1</translation>
+    </message>
+    <message>
+        <source>factor of L_spec: box occlusion by the distance d</source>
+        <translation>L_spec 的系数：按距离 d 的盒遮蔽</translation>
+    </message>
+    <message>
+        <source>its light from all directions around N, for the diffuse part</source>
+        <translation>其来自 N 周围各方向的光，用于漫反射部分</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;: %2 of the pixel, technique %3</source>
+        <translation>探针“%1”：占该像素 %2，技术 %3</translation>
+    </message>
+    <message>
+        <source>weight of its influence box at P; intensity %1</source>
+        <translation>其影响盒在 P 处的权重；强度 %1</translation>
+    </message>
+    <message>
+        <source>weight of its influence box at P</source>
+        <translation>其影响盒在 P 处的权重</translation>
+    </message>
+    <message>
+        <source>none: its share is too small to show</source>
+        <translation>无：其份额太小，看不出来</translation>
+    </message>
+    <message>
+        <source>none: not captured yet, it gives no light</source>
+        <translation>无：尚未捕捉，不提供光照</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>真实</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>眼睛</translation>
+    </message>
+    <message>
+        <source>no box to hit: d and H are undefined</source>
+        <translation>没有可命中的盒：d 和 H 未定义</translation>
+    </message>
+    <message>
+        <source>d = min(t_x, t_y, t_z) = min(%1, %2, %3) = %4</source>
+        <translation>d = min(t_x, t_y, t_z) = min(%1, %2, %3) = %4</translation>
+    </message>
+    <message>
+        <source>Plan (from above)</source>
+        <translation>平面图（俯视）</translation>
+    </message>
+    <message>
+        <source>Elevation (from the front)</source>
+        <translation>立面图（正面）</translation>
+    </message>
+    <message>
+        <source>Elevation (from the side)</source>
+        <translation>立面图（侧面）</translation>
+    </message>
+    <message>
+        <source>less than 0.1 degrees</source>
+        <translation>不到 0.1 度</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 度</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%2 处 %1</translation>
+    </message>
+    <message>
+        <source>Widen the influence box of &quot;%1&quot;: %2</source>
+        <translation>扩大“%1”的影响盒：%2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>The sky</source>
+        <translation>天空</translation>
+    </message>
+    <message>
+        <source>The sky, at %1</source>
+        <translation>天空，占 %1</translation>
+    </message>
+    <message>
+        <source>%1: the scene has no probe.</source>
+        <translation>%1：场景中没有探针。</translation>
+    </message>
+    <message>
+        <source>%1, because the probeMode of &quot;%2&quot; is off.</source>
+        <translation>%1，因为“%2”的 probeMode 为 off。</translation>
+    </message>
+    <message>
+        <source>%1, because every influence box ends short of this point; the nearest, of &quot;%2&quot;, by %3 at %4.</source>
+        <translation>%1，因为所有影响盒都未及此点；最近的是“%2”的影响盒，在 %4 处差 %3。</translation>
+    </message>
+    <message>
+        <source>%1, because the influence box of &quot;%2&quot; ends %3 short of this point at %4.</source>
+        <translation>%1，因为“%2”的影响盒在 %4 处距此点还差 %3。</translation>
+    </message>
+    <message>
+        <source>%1: no probe lights this object.</source>
+        <translation>%1：没有探针照亮此物体。</translation>
+    </message>
+    <message>
+        <source>%1, because this point lies in the blend distance of &quot;%2&quot; at %3.</source>
+        <translation>%1，因为此点位于“%2”在 %3 处的混合距离内。</translation>
+    </message>
+    <message>
+        <source>Move the %1 face of &quot;%2&quot; out by %3</source>
+        <translation>将“%2”的面 %1 向外移动 %3</translation>
+    </message>
+    <message>
+        <source>Move the %1 face of &quot;%2&quot; in by %3</source>
+        <translation>将“%2”的面 %1 向内移动 %3</translation>
+    </message>
+    <message>
+        <source>Project the lookups of &quot;%1&quot; on its box</source>
+        <translation>将“%1”的查询投影到其盒上</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;</source>
+        <translation>探针“%1”</translation>
+    </message>
+    <message>
+        <source>Probe &quot;%1&quot;, at %2</source>
+        <translation>探针“%1”，占 %2</translation>
+    </message>
+    <message>
+        <source>%1: not captured yet, so it reflects nothing.</source>
+        <translation>%1：尚未捕捉，因此不反射任何内容。</translation>
+    </message>
+    <message>
+        <source>%1: it captured nothing in this direction, so the sky shows through it.</source>
+        <translation>%1：它在此方向上没有捕捉到任何内容，因此透出天空。</translation>
+    </message>
+    <message>
+        <source>%1: its capture origin does not see where this ray ends, so its error is unknown.</source>
+        <translation>%1：其捕捉原点看不到这条光线的终点，因此误差未知。</translation>
+    </message>
+    <message>
+        <source>%1, right to %2.</source>
+        <translation>%1，误差在 %2 以内。</translation>
+    </message>
+    <message>
+        <source>%1, %2 off: it is sampled by the reflection vector alone, without a hit point.</source>
+        <translation>%1，偏差 %2：仅按反射向量采样，没有命中点。</translation>
+    </message>
+    <message>
+        <source>the %1 face of its box</source>
+        <translation>其盒的面 %1</translation>
+    </message>
+    <message>
+        <source>its proxy</source>
+        <translation>其代理体</translation>
+    </message>
+    <message>
+        <source>%1, %2 off: the ray meets %3 %4 before the surface that is there.</source>
+        <translation>%1，偏差 %2：光线命中%3，位于实际表面之前 %4。</translation>
+    </message>
+    <message>
+        <source>%1, %2 off: the ray meets %3 %4 behind the surface that is there.</source>
+        <translation>%1，偏差 %2：光线命中%3，位于实际表面之后 %4。</translation>
+    </message>
+    <message>
+        <source>the light sources</source>
+        <translation>光源</translation>
+    </message>
+    <message>
+        <source>the surface itself</source>
+        <translation>表面自身</translation>
+    </message>
+    <message>
+        <source>light from all around, scattered</source>
+        <translation>来自四周的散射光</translation>
+    </message>
+    <message>
+        <source>Hardly a reflection: %1 of this light is from %2, %3 is reflected.</source>
+        <translation>几乎不是反射：此光的 %1 来自%2，%3 为反射光。</translation>
+    </message>
+    <message>
+        <source>The background: no surface is drawn here.</source>
+        <translation>背景：此处没有绘制表面。</translation>
+    </message>
+    <message>
+        <source>Glass: %1 of this light came through it.</source>
+        <translation>玻璃：此光的 %1 穿过它而来。</translation>
+    </message>
+    <message>
+        <source>The planar mirror&apos;s own picture: something that moves takes %1 of the reflection.</source>
+        <translation>平面镜自身的画面：移动的物体占反射的 %1。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>%1 impostor is drawn by box</source>
+        <translation>%1 个替身按盒绘制</translation>
+    </message>
+    <message>
+        <source>%1 impostors are drawn by box</source>
+        <translation>%1 个替身按盒绘制</translation>
+    </message>
+    <message>
+        <source>rays are chosen without tables of light</source>
+        <translation>选择光线时不使用光照表</translation>
+    </message>
+    <message>
+        <source>the sky is not occluded</source>
+        <translation>天空不被遮蔽</translation>
+    </message>
+    <message>
+        <source>%1 probe is left out</source>
+        <translation>省去 %1 个探针</translation>
+    </message>
+    <message>
+        <source>%1 probes are left out</source>
+        <translation>省去 %1 个探针</translation>
+    </message>
+    <message>
+        <source>moving objects throw no shadow</source>
+        <translation>移动物体不投射阴影</translation>
+    </message>
+    <message>
+        <source>%1 texture of its material is left out</source>
+        <translation>省去其材质的 %1 张纹理</translation>
+    </message>
+    <message>
+        <source>%1 textures of its material are left out</source>
+        <translation>省去其材质的 %1 张纹理</translation>
+    </message>
+    <message>
+        <source>%1 object is out of view or hidden: not drawn</source>
+        <translation>%1 个物体不在视野内或被遮挡：未绘制</translation>
+    </message>
+    <message>
+        <source>%1 objects are out of view or hidden: not drawn</source>
+        <translation>%1 个物体不在视野内或被遮挡：未绘制</translation>
+    </message>
+    <message>
+        <source>the sky behind everything shows nowhere: not drawn</source>
+        <translation>背后的天空完全不可见：未绘制</translation>
+    </message>
+    <message>
+        <source>%1 probe lights no visible object: nothing is captured for it</source>
+        <translation>%1 个探针未照亮任何可见物体：不为其捕捉</translation>
+    </message>
+    <message>
+        <source>%1 probes light no visible object: nothing is captured for it</source>
+        <translation>%1 个探针未照亮任何可见物体：不为其捕捉</translation>
+    </message>
+    <message>
+        <source>%1 probe lights only what this frame does not show</source>
+        <translation>%1 个探针仅照亮此帧未显示的内容</translation>
+    </message>
+    <message>
+        <source>%1 probes light only what this frame does not show</source>
+        <translation>%1 个探针仅照亮此帧未显示的内容</translation>
+    </message>
+    <message>
+        <source>%1 probe holds no texture</source>
+        <translation>%1 个探针没有纹理</translation>
+    </message>
+    <message>
+        <source>%1 probes hold no texture</source>
+        <translation>%1 个探针没有纹理</translation>
+    </message>
+    <message>
+        <source>%1 mip level of %2 not filtered: no material samples it</source>
+        <translation>%2 个 mip 级别中有 %1 个未过滤：没有材质采样它</translation>
+    </message>
+    <message>
+        <source>%1 mip levels of %2 not filtered: no material samples them</source>
+        <translation>%2 个 mip 级别中有 %1 个未过滤：没有材质采样它们</translation>
+    </message>
+    <message>
+        <source>%1 draw is unlit: no light, no probe</source>
+        <translation>%1 次绘制调用不受光照：无光源，无探针</translation>
+    </message>
+    <message>
+        <source>%1 draws are unlit: no light, no probe</source>
+        <translation>%1 次绘制调用不受光照：无光源，无探针</translation>
+    </message>
+    <message>
+        <source>%1 draw has no probe: only the sky, no projection</source>
+        <translation>%1 次绘制调用没有探针：仅天空，无投影</translation>
+    </message>
+    <message>
+        <source>%1 draws have no probe: only the sky, no projection</source>
+        <translation>%1 次绘制调用没有探针：仅天空，无投影</translation>
+    </message>
+    <message>
+        <source>%1 draw has one probe at full weight: no weights computed, no second lookup</source>
+        <translation>%1 次绘制调用有一个权重完整的探针：不计算权重，无第二次查询</translation>
+    </message>
+    <message>
+        <source>%1 draws have one probe at full weight: no weights computed, no second lookup</source>
+        <translation>%1 次绘制调用有一个权重完整的探针：不计算权重，无第二次查询</translation>
+    </message>
+    <message>
+        <source>%1 draw leaves nothing to the sky: the sky is not sampled</source>
+        <translation>%1 次绘制调用没有给天空留下份额：不采样天空</translation>
+    </message>
+    <message>
+        <source>%1 draws leave nothing to the sky: the sky is not sampled</source>
+        <translation>%1 次绘制调用没有给天空留下份额：不采样天空</translation>
+    </message>
+    <message>
+        <source>mirror &quot;%1&quot; has no picture: %2</source>
+        <translation>镜子“%1”没有画面：%2</translation>
+    </message>
+    <message>
+        <source>%1 object that moves</source>
+        <translation>%1 个移动物体</translation>
+    </message>
+    <message>
+        <source>%1 objects that move</source>
+        <translation>%1 个移动物体</translation>
+    </message>
+    <message>
+        <source>%1 object that may hide them in depth alone</source>
+        <translation>%1 个可能遮挡它们的物体（仅深度）</translation>
+    </message>
+    <message>
+        <source>%1 objects that may hide them in depth alone</source>
+        <translation>%1 个可能遮挡它们的物体（仅深度）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 x %3 texels, %4, %5</source>
+        <translation>“%1”：%2 x %3 个纹素，%4，%5</translation>
+    </message>
+    <message>
+        <source>objects.%1: %2 probe beyond the %3 most important ones reach it and are left out; divide the object, or raise importance where it counts</source>
+        <translation>物体“%1”：除最重要的 %3 个探针外，还有 %2 个探针触及它而被省去；请拆分该物体，或在需要之处提高重要性</translation>
+    </message>
+    <message>
+        <source>objects.%1: %2 probes beyond the %3 most important ones reach it and are left out; divide the object, or raise importance where it counts</source>
+        <translation>物体“%1”：除最重要的 %3 个探针外，还有 %2 个探针触及它而被省去；请拆分该物体，或在需要之处提高重要性</translation>
+    </message>
+    <message>
+        <source>objects.%1: this OpenGL driver has too few texture units for its probes and textures; %2</source>
+        <translation>物体“%1”：此 OpenGL 驱动的纹理单元不足以容纳其探针和纹理；%2</translation>
+    </message>
+    <message>
+        <source>it is switched off, hidden, or not lit by probes</source>
+        <translation>已关闭、被隐藏，或不由探针照亮</translation>
+    </message>
+    <message>
+        <source>it is rougher than its maxRoughness</source>
+        <translation>比其 maxRoughness 更粗糙</translation>
+    </message>
+    <message>
+        <source>it faces away</source>
+        <translation>背向视点</translation>
+    </message>
+    <message>
+        <source>it is out of view</source>
+        <translation>不在视野内</translation>
+    </message>
+    <message>
+        <source>no dynamic object is in its view</source>
+        <translation>其视野内没有移动物体</translation>
+    </message>
+    <message>
+        <source>larger mirrors used up the mirrorBudget</source>
+        <translation>较大的镜子已用尽 mirrorBudget</translation>
+    </message>
+    <message>
+        <source>No surface at this pixel: it shows the sky, so there is no point, normal or reflected ray.</source>
+        <translation>此像素处没有表面：它显示天空，因此没有点、法线或反射光线。</translation>
+    </message>
+    <message>
+        <source>pictures were not compared: nobody can stand in these rooms</source>
+        <translation>未比较画面：这些房间内无法站人</translation>
+    </message>
+    <message>
+        <source>pictures were not compared: only lamps and unlit surfaces are seen</source>
+        <translation>未比较画面：只看得到灯具和不受光照的表面</translation>
+    </message>
+    <message>
+        <source>pictures were not compared: the light that reaches the rooms is too little to tell it from noise</source>
+        <translation>未比较画面：进入房间的光太少，无法与噪声区分</translation>
+    </message>
+    <message>
+        <source>pictures were not compared: the scene has no light</source>
+        <translation>未比较画面：场景没有光照</translation>
+    </message>
+    <message>
+        <source>one box around all rooms: error %1</source>
+        <translation>围绕所有房间的一个盒：误差 %1</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s own probes with %1 bounces: error %2</source>
+        <translation>场景自身的探针反弹 %1 次：误差 %2</translation>
+    </message>
+    <message>
+        <source>one box around all rooms measured better than one for each</source>
+        <translation>围绕所有房间的一个盒测得优于每个房间各一个</translation>
+    </message>
+    <message>
+        <source>fitted to all of the model, which measured better than its rooms</source>
+        <translation>拟合到整个模型，测得优于各房间</translation>
+    </message>
+    <message>
+        <source>no probe made the pictures better: none is proposed</source>
+        <translation>没有探针能改善画面：不作建议</translation>
+    </message>
+    <message>
+        <source>nothing measured better than the scene&apos;s own probes, which stay</source>
+        <translation>没有比场景自身探针测得更好的方案，保留原探针</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s own probes stay, with %1 bounces</source>
+        <translation>保留场景自身的探针，反弹 %1 次</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; captured at (%2, %3, %4): error %5 -&gt; %6</source>
+        <translation>“%1”在 (%2, %3, %4) 捕捉：误差 %5 -&gt; %6</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; captured at (%2, %3, %4): error %5 -&gt; %6, left out</source>
+        <translation>“%1”在 (%2, %3, %4) 捕捉：误差 %5 -&gt; %6，未采用</translation>
+    </message>
+    <message>
+        <source>%1 probes captured from elsewhere: error %2 -&gt; %3</source>
+        <translation>%1 个探针从别处捕捉：误差 %2 -&gt; %3</translation>
+    </message>
+    <message>
+        <source>%1 probes captured from elsewhere: error %2 -&gt; %3, left out</source>
+        <translation>%1 个探针从别处捕捉：误差 %2 -&gt; %3，未采用</translation>
+    </message>
+    <message>
+        <source>%1 bounces of light in the captures: error %2 -&gt; %3</source>
+        <translation>捕捉中光反弹 %1 次：误差 %2 -&gt; %3</translation>
+    </message>
+    <message>
+        <source>%1 bounces of light in the captures: error %2 -&gt; %3, left out</source>
+        <translation>捕捉中光反弹 %1 次：误差 %2 -&gt; %3，未采用</translation>
+    </message>
+    <message>
+        <source>without &quot;%1&quot;: error %2 -&gt; %3, it stays</source>
+        <translation>没有“%1”：误差 %2 -&gt; %3，予以保留</translation>
+    </message>
+    <message>
+        <source>without &quot;%1&quot;: error %2 -&gt; %3, left out</source>
+        <translation>没有“%1”：误差 %2 -&gt; %3，省去</translation>
+    </message>
+    <message>
+        <source>%1; without it the error grows by %2</source>
+        <translation>%1；没有它，误差增加 %2</translation>
+    </message>
+    <message>
+        <source>%1; without it the error is the same</source>
+        <translation>%1；没有它，误差不变</translation>
+    </message>
+    <message>
+        <source>the origin is inside of a wall: nothing is fitted; move the origin into the room</source>
+        <translation>原点位于墙内：不作拟合；请将原点移入房间</translation>
+    </message>
+    <message>
+        <source>open: nothing to fit to; the box stays</source>
+        <translation>开放：没有可拟合的对象；盒保持不变</translation>
+    </message>
+    <message>
+        <source>no better box was found: it stays</source>
+        <translation>未找到更好的盒：保持不变</translation>
+    </message>
+    <message>
+        <source>the place is not rectangular</source>
+        <translation>此处不是矩形</translation>
+    </message>
+    <message>
+        <source>a quarter of the reflections and more stay off by over 5 degrees: use the technique impostor, or more probes</source>
+        <translation>仍有四分之一以上的反射偏差超过 5 度：请使用替身技术，或增加探针</translation>
+    </message>
+    <message>
+        <source>no better origin was found: it stays</source>
+        <translation>未找到更好的原点：保持不变</translation>
+    </message>
+    <message>
+        <source>no room was found: back sides of surfaces close in the space within; if it is a room, its faces are inverted: turn them over, or use --as interior</source>
+        <translation>未找到房间：内部空间由表面的背面围成；若这是房间，则其面是反的：请翻转这些面，或选择“模型 &gt; 视为 &gt; 室内”</translation>
+    </message>
+    <message>
+        <source>open: no room was found; nothing is closed in by a floor and walls</source>
+        <translation>开放：未找到房间；没有由地面和墙围成的空间</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s probes stay</source>
+        <translation>保留场景的探针</translation>
+    </message>
+    <message>
+        <source>the walls show their back sides to the rooms: the model&apos;s faces are inverted</source>
+        <translation>墙以背面朝向房间：模型的面是反的</translation>
+    </message>
+    <message>
+        <source>%1 closed spaces are too small for a room and have no probe</source>
+        <translation>%1 个封闭空间太小，不成房间，没有探针</translation>
+    </message>
+    <message>
+        <source>the model is very large for the height of its rooms: doors may be missed</source>
+        <translation>相对房间高度而言模型非常大：可能漏掉门</translation>
+    </message>
+    <message>
+        <source>it has the probe %1, which is kept</source>
+        <translation>已有探针 %1，予以保留</translation>
+    </message>
+    <message>
+        <source>%1: its origin is in no room, inside of a wall or in the open; it is kept</source>
+        <translation>%1：其原点不在任何房间内，位于墙内或露天；予以保留</translation>
+    </message>
+    <message>
+        <source>left out: it has no ceiling, and no surface in it is smoother than roughness 0.6</source>
+        <translation>省去：没有天花板，且其中没有比粗糙度 0.6 更光滑的表面</translation>
+    </message>
+    <message>
+        <source>left out: no more than %1 probes were asked for</source>
+        <translation>省去：要求的探针不超过 %1 个</translation>
+    </message>
+    <message>
+        <source>its first probe leaves %1 of %2 degrees</source>
+        <translation>第一个探针使误差由 %2 度降至 %1 度</translation>
+    </message>
+    <message>
+        <source>of %1 more places the best gains %2 degrees; %3 are needed</source>
+        <translation>另外 %1 个位置中最好的改善 %2 度；需要 %3 度</translation>
+    </message>
+    <message>
+        <source>one more would gain %1 degrees; no more than %2 probes were asked for</source>
+        <translation>再加一个可改善 %1 度；要求的探针不超过 %2 个</translation>
+    </message>
+    <message>
+        <source>one more gains %1 degrees</source>
+        <translation>再加一个改善 %1 度</translation>
+    </message>
+    <message>
+        <source>the others cover its first probe, which gains only %1 degrees: left out</source>
+        <translation>其他探针已覆盖其第一个探针，后者仅改善 %1 度：省去</translation>
+    </message>
+    <message>
+        <source>for what is seen outside of the rooms: %1 % of all surfaces</source>
+        <translation>用于房间外所见：占全部表面的 %1 %</translation>
+    </message>
+    <message>
+        <source>the only one of %1</source>
+        <translation>%1 的唯一探针</translation>
+    </message>
+    <message>
+        <source>for all of %1</source>
+        <translation>用于整个 %1</translation>
+    </message>
+    <message>
+        <source>for a part of %1, where it lowers the lookup error by %2 degrees</source>
+        <translation>用于 %1 的一部分，在那里使查询误差降低 %2 度</translation>
+    </message>
+    <message>
+        <source>under 1 s left</source>
+        <translation>剩余不到 1 s</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>剩余 %1 s</translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation>剩余 %1 min</translation>
+    </message>
+    <message>
+        <source>the file has no light: %1</source>
+        <translation>文件中没有光源：%1</translation>
+    </message>
+    <message>
+        <source>as you chose, %1</source>
+        <translation>按您的选择：%1</translation>
+    </message>
+    <message>
+        <source>there is no room with a ceiling: %1</source>
+        <translation>没有带天花板的房间：%1</translation>
+    </message>
+    <message>
+        <source>there are no openings: %1</source>
+        <translation>没有开口：%1</translation>
+    </message>
+    <message>
+        <source>the file has no light, and you chose the file&apos;s</source>
+        <translation>文件中没有光源，而您选择了文件的光源</translation>
+    </message>
+    <message>
+        <source>the light is the file&apos;s</source>
+        <translation>使用文件中的光源</translation>
+    </message>
+    <message>
+        <source>the lights are the file&apos;s</source>
+        <translation>使用文件中的光源</translation>
+    </message>
+    <message>
+        <source>a studio lights it</source>
+        <translation>由摄影棚照亮</translation>
+    </message>
+    <message>
+        <source>soft lamps hang under the ceiling</source>
+        <translation>天花板下悬挂柔光灯</translation>
+    </message>
+    <message>
+        <source>the sky shines in through the openings</source>
+        <translation>天空光从开口照入</translation>
+    </message>
+    <message>
+        <source>sky and sun light it</source>
+        <translation>由天空和太阳照亮</translation>
+    </message>
+    <message>
+        <source>an open place</source>
+        <translation>开阔场地</translation>
+    </message>
+    <message>
+        <source>an interior</source>
+        <translation>室内</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>treated as %1 as you chose</source>
+        <translation>按您的选择视为%1</translation>
+    </message>
+    <message>
+        <source>treated as %1 (%2)</source>
+        <translation>视为%1（%2）</translation>
+    </message>
+    <message>
+        <source>one probe within it</source>
+        <translation>其中有一个探针</translation>
+    </message>
+    <message>
+        <source>no probe, the surroundings alone are reflected</source>
+        <translation>没有探针，仅反射周围环境</translation>
+    </message>
+    <message>
+        <source>%1; %2; %3</source>
+        <translation>%1；%2；%3</translation>
+    </message>
+    <message>
+        <source>%1 m high</source>
+        <translation>高 %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m wide</source>
+        <translation>宽 %1 m</translation>
+    </message>
+    <message>
+        <source>It seems to lie on its side</source>
+        <translation>它似乎侧卧着</translation>
+    </message>
+    <message>
+        <source>In metres it would be %1, and it seems to lie on its side</source>
+        <translation>若以米计，则%1，而且似乎侧卧着</translation>
+    </message>
+    <message>
+        <source>In metres it would be %1</source>
+        <translation>若以米计，则%1</translation>
+    </message>
+    <message>
+        <source>%1 of the points within it are closed in by front sides</source>
+        <translation>其中 %1 的点被正面围住</translation>
+    </message>
+    <message>
+        <source>%1 of the points within it have a floor, walls around and sky above</source>
+        <translation>其中 %1 的点有地面、四周墙壁，上方为天空</translation>
+    </message>
+    <message>
+        <source>%1 of the points within it stand over a floor, below the sky</source>
+        <translation>其中 %1 的点位于地面之上、天空之下</translation>
+    </message>
+    <message>
+        <source>%1 of the points within it lie inside of it or see back sides</source>
+        <translation>其中 %1 的点位于实体内部或看到背面</translation>
+    </message>
+    <message>
+        <source>%1 of the rays from points within it leave to the sky</source>
+        <translation>从其中的点发出的光线有 %1 射向天空</translation>
+    </message>
+    <message>
+        <source>it has no surface that hides what is behind it</source>
+        <translation>没有能遮挡其后方的表面</translation>
     </message>
 </context>
 <context>

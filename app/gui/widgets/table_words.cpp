@@ -339,6 +339,16 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Tables", "the soft shadow below everything, if the scene has it"),
     QT_TRANSLATE_NOOP("Tables", "window"),
     QT_TRANSLATE_NOOP("Tables", "a frame of nothing: cleared, samples resolved, VTK's own work"),
+    QT_TRANSLATE_NOOP("Tables", "eye ray"),
+    QT_TRANSLATE_NOOP("Tables", "normal"),
+    QT_TRANSLATE_NOOP("Tables", "reflected ray"),
+    QT_TRANSLATE_NOOP("Tables", "lookup"),
+    QT_TRANSLATE_NOOP("Tables", "sample"),
+    QT_TRANSLATE_NOOP("Tables", "true hit"),
+    QT_TRANSLATE_NOOP("Tables", "error"),
+    QT_TRANSLATE_NOOP("Tables", "within glass"),
+    QT_TRANSLATE_NOOP("Tables", "refracted ray"),
+    QT_TRANSLATE_NOOP("Tables", "shadow ray"),
 };
 
 }  // namespace

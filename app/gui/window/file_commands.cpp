@@ -19,6 +19,7 @@
 #include "app/gui/view/viewport.h"
 #include "app/gui/view/workspace.h"
 #include "app/gui/widgets/message_box.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "app/gui/widgets/recent_files.h"
 #include "app/gui/widgets/window_words.h"
 #include "filters/core/base/errors.h"
@@ -190,7 +191,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
     const std::string digest = loaded.fileDigest;
-    const QString decided = loaded.fit ? QString::fromStdString(loaded.fit->decided) : QString();
+    const QString decided = loaded.fit ? phraseWords(loaded.fit->decided) : QString();
     workspace_.showScene(std::move(loaded));
     assignments_ = assignments;
     remember(path, digest);

@@ -18,6 +18,7 @@
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/view/workspace.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "app/session/automatic_exposure.h"
 #include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
@@ -119,7 +120,7 @@ void ModelFitter::opened(const LoadedScene& loaded) {
   modelsChanged();
   bar_->hide();
   if (fit_ && fit_->guess) {
-    bar_->ask(QString::fromStdString(fit_->guess->reason), fit_->guess->unit, fit_->guess->upAxis);
+    bar_->ask(phraseWords(fit_->guess->reason), fit_->guess->unit, fit_->guess->upAxis);
   }
   update();
 }
@@ -157,7 +158,7 @@ void ModelFitter::update() {
   if (!shown) return;
   button_->setText(kindName(fit_->kind));
   button_->setAccessibleName(tr("Kind of model: %1").arg(kindName(fit_->kind)));
-  button_->setToolTip(QString::fromStdString(fit_->decided));
+  button_->setToolTip(phraseWords(fit_->decided));
   for (const auto& [kind, action] : kinds_) action->setChecked(kind == wishes_.kind);
   for (const auto& [light, action] : lights_) action->setChecked(light == wishes_.light);
 }
@@ -207,7 +208,7 @@ void ModelFitter::refit(const QString& label, const Document::Edit& first) {
     return;
   }
   update();
-  emit message(QString::fromStdString(fit_->decided));
+  emit message(phraseWords(fit_->decided));
   workspace_.picture().resetCamera();
 }
 
@@ -260,7 +261,7 @@ void ModelFitter::expose() {
   } else {
     workspace_.editor().commit(tr("Automatic exposure"), [exposure](Scene& scene) { scene.exposure = exposure; });
   }
-  const QString decided = asked || !fit_ ? tr("As the picture asks") : QString::fromStdString(fit_->decided);
+  const QString decided = asked || !fit_ ? tr("As the picture asks") : phraseWords(fit_->decided);
   emit message(tr("%1; exposure %2").arg(decided).arg(exposure));
 }
 

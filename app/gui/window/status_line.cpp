@@ -11,6 +11,7 @@
 #include "app/gui/view/picture_work.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/workspace.h"
+#include "app/gui/widgets/phrase_words.h"
 #include "filters/core/scene/bounces.h"
 #include "filters/vtk/scene_renderer.h"
 
@@ -125,7 +126,7 @@ void StatusLine::showProgress(double fraction, const WorkNow& now) {
                                               "texels stand in for them")
                                                .arg(now.missing)
                                                .arg(now.used));
-  progress_->setFormat(seconds && !shaders ? text + ", " + QString::fromStdString(TimeLeft::text(*seconds)) : text);
+  progress_->setFormat(seconds && !shaders ? text + ", " + phraseWords(TimeLeft::text(*seconds)) : text);
   progress_->setValue(static_cast<int>(100.0 * fraction));
   progress_->show();
   stop_->show();

@@ -16,6 +16,12 @@ std::string numberText(Number value) {
   return std::string(buffer, result.ptr);
 }
 
+/// With that many decimals, however small or large it is.
+inline std::string decimalText(double value, int decimals) {
+  char buffer[400];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr};
+}
+
 /// "2.4 GB": three digits, of 10^9 bytes.
 inline std::string gigabytesText(std::uint64_t bytes) {
   char text[32];

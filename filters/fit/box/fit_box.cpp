@@ -199,7 +199,8 @@ std::optional<BoxFit> fitBox(const FitPlace& place, const Probe& probe, const Bo
   fit.probe = probe;
   if (insideOfSolid(place.captured, probe.origin)) {
     fit.outcome = FitOutcome::Inside;
-    fit.remarks.push_back("the origin is inside of a wall: nothing is fitted; move the origin into the room");
+    fit.remarks.push_back(
+        Phrase::tr("the origin is inside of a wall: nothing is fitted; move the origin into the room"));
     return fit;
   }
   const ReflectedRays reflected = reflectedRays(place, probe, settings.rays);
@@ -209,7 +210,7 @@ std::optional<BoxFit> fitBox(const FitPlace& place, const Probe& probe, const Bo
   fit.hidden = fit.hiddenBefore = before.hidden;
   if (before.rays.empty() || walledAround(place.captured, probe.origin) < kLeastWalls) {
     fit.outcome = FitOutcome::Open;
-    fit.remarks.push_back("open: nothing to fit to; the box stays");
+    fit.remarks.push_back(Phrase::tr("open: nothing to fit to; the box stays"));
     return fit;
   }
   fit.before = fit.after = lookupErrors(before, old);
@@ -244,13 +245,14 @@ std::optional<BoxFit> fitBox(const FitPlace& place, const Probe& probe, const Bo
     fit.faces = faceFits(rays, box, old, sameAxes);
   } else {
     fit.faces = faceFits(before, old, old, true);
-    fit.remarks.push_back("no better box was found: it stays");
+    fit.remarks.push_back(Phrase::tr("no better box was found: it stays"));
   }
-  if (strength < kWeakYaw) fit.remarks.push_back("the place is not rectangular");
+  if (strength < kWeakYaw) fit.remarks.push_back(Phrase::tr("the place is not rectangular"));
   fit.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   if (fit.after.above5 > 0.25) {
     fit.remarks.push_back(
-        "a quarter of the reflections and more stay off by over 5 degrees: use the technique impostor, or more probes");
+        Phrase::tr("a quarter of the reflections and more stay off by over 5 degrees: use the technique impostor, or "
+                   "more probes"));
   }
   return fit;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/base/phrase.h"
 #include "filters/fit/box/box_search.h"
 #include "filters/fit/box/lookup_rays.h"
 
@@ -39,11 +40,11 @@ struct BoxFit {
   Probe probe;  ///< the fitted probe, or a copy of the given one
   LookupErrors before, after;
   std::array<FaceFit, kFaces> faces;
-  double hiddenBefore = 0.0;         ///< share of the reflections whose end the origin did not see
-  double hidden = 0.0;               ///< the same for the result; different only if the origin moved
-  double open = 0.0;                 ///< share of the reflections that show the sky
-  double seconds = 0.0;              ///< duration
-  std::vector<std::string> remarks;  ///< sentences without a full stop
+  double hiddenBefore = 0.0;    ///< share of the reflections whose end the origin did not see
+  double hidden = 0.0;          ///< the same for the result; different only if the origin moved
+  double open = 0.0;            ///< share of the reflections that show the sky
+  double seconds = 0.0;         ///< duration
+  std::vector<Phrase> remarks;  ///< sentences without a full stop
 };
 
 /// Deterministic. Nothing if `progress` stopped it. Lengths in scene units, right-handed, +y up.

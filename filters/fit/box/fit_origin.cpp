@@ -197,7 +197,7 @@ std::optional<BoxFit> proposeOrigin(const FitPlace& place, const Probe& probe, c
   }
   best->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   if (best->probe.origin == stays.probe.origin) {
-    best->remarks.push_back("no better origin was found: it stays");
+    best->remarks.push_back(Phrase::tr("no better origin was found: it stays"));
     return best;
   }
   if (best->outcome == FitOutcome::Kept) best->remarks.erase(best->remarks.begin());  // the remark that the box stays

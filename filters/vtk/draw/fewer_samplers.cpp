@@ -2,7 +2,9 @@
 #include "filters/vtk/draw/fewer_samplers.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace boxprobe {
 
@@ -79,15 +81,6 @@ bool isSampled(const SurfaceMaterial& surface, SurfaceSlotIndex slot) {
   return !ofFinish || surface.finished();
 }
 
-void add(std::string& text, std::size_t count, const char* one, const char* many) {
-  if (count == 0) return;
-  text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-void add(std::string& text, bool said, const char* what) {
-  if (said) text += std::string(text.empty() ? "" : ", ") + what;
-}
-
 }  // namespace
 
 std::shared_ptr<const ProbeBinding> withLess(const ProbeBinding& binding) {
@@ -111,15 +104,19 @@ std::shared_ptr<const SurfaceMaterial> withTextureLess(const SurfaceMaterial& su
   return nullptr;
 }
 
-std::string givenUpText(const GivenUp& givenUp, std::size_t textures) {
-  std::string text;
-  add(text, givenUp.impostors, "impostor is drawn by box", "impostors are drawn by box");
-  add(text, givenUp.lightTables, "rays are chosen without tables of light");
-  add(text, givenUp.openness, "the sky is not occluded");
-  add(text, givenUp.probes, "probe is left out", "probes are left out");
-  add(text, givenUp.movingShadows, "moving objects throw no shadow");
-  add(text, textures, "texture of its material is left out", "textures of its material are left out");
-  return text;
+Phrase givenUpText(const GivenUp& givenUp, std::size_t textures) {
+  std::vector<Phrase> parts;
+  const auto count = [&parts](std::size_t n, const Phrase& one, const Phrase& many) {
+    if (n > 0) parts.push_back((n == 1 ? one : many).arg(std::to_string(n)));
+  };
+  count(givenUp.impostors, Phrase::tr("%1 impostor is drawn by box"), Phrase::tr("%1 impostors are drawn by box"));
+  if (givenUp.lightTables) parts.push_back(Phrase::tr("rays are chosen without tables of light"));
+  if (givenUp.openness) parts.push_back(Phrase::tr("the sky is not occluded"));
+  count(givenUp.probes, Phrase::tr("%1 probe is left out"), Phrase::tr("%1 probes are left out"));
+  if (givenUp.movingShadows) parts.push_back(Phrase::tr("moving objects throw no shadow"));
+  count(textures, Phrase::tr("%1 texture of its material is left out"),
+        Phrase::tr("%1 textures of its material are left out"));
+  return commaList(parts);
 }
 
 }  // namespace boxprobe

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
+#include "filters/core/base/phrase.h"
 #include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/draw/surface_material.h"
 
@@ -22,6 +22,6 @@ std::shared_ptr<const ProbeBinding> withLess(const ProbeBinding& binding);
 std::shared_ptr<const SurfaceMaterial> withTextureLess(const SurfaceMaterial& surface);
 
 /// As the end of a line: "2 impostors are drawn by box, 1 probe is left out". Empty if nothing was given up.
-std::string givenUpText(const GivenUp& givenUp, std::size_t textures);
+Phrase givenUpText(const GivenUp& givenUp, std::size_t textures);
 
 }  // namespace boxprobe

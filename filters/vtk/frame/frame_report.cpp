@@ -6,10 +6,6 @@ namespace boxprobe {
 
 namespace {
 
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 template <typename Which>
 std::size_t drawnObjects(const FrameReport& report, Which which) {
   return static_cast<std::size_t>(
@@ -19,70 +15,95 @@ std::size_t drawnObjects(const FrameReport& report, Which which) {
 
 }  // namespace
 
-std::vector<std::string> skippedLines(const FrameReport& report) {
+std::vector<Phrase> skippedLines(const FrameReport& report) {
   using Object = FrameReport::Object;
-  std::vector<std::string> lines;
-  const auto say = [&](std::size_t n, const char* one, const char* many, const std::string& rest) {
-    if (n > 0) lines.push_back(counted(n, one, many) + rest);
+  std::vector<Phrase> lines;
+  const auto say = [&](std::size_t n, const Phrase& one, const Phrase& many) {
+    if (n > 0) lines.push_back((n == 1 ? one : many).arg(std::to_string(n)));
   };
   const std::size_t drawn = drawnObjects(report, [](const Object&) { return true; });
-  say(report.objects.size() - drawn, "object is", "objects are", " out of view or hidden: not drawn");
-  if (report.skyCulled) lines.push_back("the sky behind everything shows nowhere: not drawn");
+  say(report.objects.size() - drawn, Phrase::tr("%1 object is out of view or hidden: not drawn"),
+      Phrase::tr("%1 objects are out of view or hidden: not drawn"));
+  if (report.skyCulled) lines.push_back(Phrase::tr("the sky behind everything shows nowhere: not drawn"));
   const auto without = [&](bool used) {
     return static_cast<std::size_t>(std::count_if(
         report.probes.begin(), report.probes.end(),
         [&](const FrameReport::ProbeUse& probe) { return (probe.objects > 0) == used && probe.drawn == 0; }));
   };
-  say(without(false), "probe lights", "probes light", " no visible object: nothing is captured for it");
-  say(without(true), "probe lights", "probes light", " only what this frame does not show");
+  say(without(false), Phrase::tr("%1 probe lights no visible object: nothing is captured for it"),
+      Phrase::tr("%1 probes light no visible object: nothing is captured for it"));
+  say(without(true), Phrase::tr("%1 probe lights only what this frame does not show"),
+      Phrase::tr("%1 probes light only what this frame does not show"));
   const auto notMade = std::count_if(report.probes.begin(), report.probes.end(),
                                      [](const FrameReport::ProbeUse& probe) { return probe.bytes == 0; });
-  say(static_cast<std::size_t>(notMade), "probe holds", "probes hold", " no texture");
+  say(static_cast<std::size_t>(notMade), Phrase::tr("%1 probe holds no texture"),
+      Phrase::tr("%1 probes hold no texture"));
   std::size_t levels = 0, notFiltered = 0;
   for (const FrameReport::ProbeUse& probe : report.probes) {
     levels += probe.levels;
     notFiltered += probe.notFiltered;
   }
-  say(notFiltered, "mip level", "mip levels",
-      " of " + std::to_string(levels) + " not filtered: no material samples " + (notFiltered == 1 ? "it" : "them"));
-  say(drawnObjects(report, [](const Object& o) { return o.unlit; }), "draw is", "draws are",
-      " unlit: no light, no probe");
-  say(drawnObjects(report, [](const Object& o) { return !o.unlit && o.probes.empty(); }), "draw has", "draws have",
-      " no probe: only the sky, no projection");
-  say(drawnObjects(report, [](const Object& o) { return o.probes.size() == 1 && !o.weights; }), "draw has",
-      "draws have", " one probe at full weight: no weights computed, no second lookup");
-  say(drawnObjects(report, [](const Object& o) { return !o.probes.empty() && o.sky <= 0.0; }), "draw leaves",
-      "draws leave", " nothing to the sky: the sky is not sampled");
+  if (notFiltered > 0) {
+    const Phrase line = notFiltered == 1 ? Phrase::tr("%1 mip level of %2 not filtered: no material samples it")
+                                         : Phrase::tr("%1 mip levels of %2 not filtered: no material samples them");
+    lines.push_back(line.arg(std::to_string(notFiltered)).arg(std::to_string(levels)));
+  }
+  say(drawnObjects(report, [](const Object& o) { return o.unlit; }), Phrase::tr("%1 draw is unlit: no light, no probe"),
+      Phrase::tr("%1 draws are unlit: no light, no probe"));
+  say(drawnObjects(report, [](const Object& o) { return !o.unlit && o.probes.empty(); }),
+      Phrase::tr("%1 draw has no probe: only the sky, no projection"),
+      Phrase::tr("%1 draws have no probe: only the sky, no projection"));
+  say(drawnObjects(report, [](const Object& o) { return o.probes.size() == 1 && !o.weights; }),
+      Phrase::tr("%1 draw has one probe at full weight: no weights computed, no second lookup"),
+      Phrase::tr("%1 draws have one probe at full weight: no weights computed, no second lookup"));
+  say(drawnObjects(report, [](const Object& o) { return !o.probes.empty() && o.sky <= 0.0; }),
+      Phrase::tr("%1 draw leaves nothing to the sky: the sky is not sampled"),
+      Phrase::tr("%1 draws leave nothing to the sky: the sky is not sampled"));
   for (const FrameReport::MirrorUse& mirror : report.mirrors) {
-    if (!mirror.drawn) lines.push_back("mirror \"" + mirror.node + "\" has no picture: " + mirror.why);
+    if (mirror.drawn) continue;
+    lines.push_back(Phrase::tr("mirror \"%1\" has no picture: %2").arg(mirror.node).arg(mirror.why));
   }
   return lines;
 }
 
-std::vector<std::string> mirrorLines(const FrameReport& report) {
-  std::vector<std::string> lines;
+std::vector<Phrase> mirrorLines(const FrameReport& report) {
+  std::vector<Phrase> lines;
   for (const FrameReport::MirrorUse& mirror : report.mirrors) {
     if (!mirror.drawn) continue;
-    lines.push_back("\"" + mirror.node + "\": " + std::to_string(mirror.width) + " x " + std::to_string(mirror.height) +
-                    " texels, " + counted(mirror.objects, "object that moves", "objects that move") + ", " +
-                    counted(mirror.hiding, "object that may hide them", "objects that may hide them") +
-                    " in depth alone");
+    const Phrase moving = mirror.objects == 1 ? Phrase::tr("%1 object that moves") : Phrase::tr("%1 objects that move");
+    const Phrase hiding = mirror.hiding == 1 ? Phrase::tr("%1 object that may hide them in depth alone")
+                                             : Phrase::tr("%1 objects that may hide them in depth alone");
+    lines.push_back(Phrase::tr("\"%1\": %2 x %3 texels, %4, %5")
+                        .arg(mirror.node)
+                        .arg(std::to_string(mirror.width))
+                        .arg(std::to_string(mirror.height))
+                        .arg(moving.arg(std::to_string(mirror.objects)))
+                        .arg(hiding.arg(std::to_string(mirror.hiding))));
   }
   return lines;
 }
 
-std::vector<std::string> leftOutLines(const FrameReport& report) {
-  std::vector<std::string> lines;
+std::vector<Phrase> leftOutLines(const FrameReport& report) {
+  std::vector<Phrase> lines;
   for (const FrameReport::Object& object : report.objects) {
     if (object.leftOut > 0) {
+      const Phrase line =
+          object.leftOut == 1
+              ? Phrase::tr(
+                    "objects.%1: %2 probe beyond the %3 most important ones reach it and are left out; divide the "
+                    "object, or raise importance where it counts")
+              : Phrase::tr(
+                    "objects.%1: %2 probes beyond the %3 most important ones reach it and are left out; divide "
+                    "the object, or raise importance where it counts");
       lines.push_back(
-          "objects." + object.node + ": " + counted(object.leftOut, "probe", "probes") + " beyond the " +
-          std::to_string(object.probes.size()) +
-          " most important ones reach it and are left out; divide the object, or raise importance where it counts");
+          line.arg(object.node).arg(std::to_string(object.leftOut)).arg(std::to_string(object.probes.size())));
     }
     if (!object.givenUp.empty()) {
-      lines.push_back("objects." + object.node +
-                      ": this OpenGL driver has too few texture units for its probes and textures; " + object.givenUp);
+      lines.push_back(
+          Phrase::tr("objects.%1: this OpenGL driver has too few texture units for its probes and textures; "
+                     "%2")
+              .arg(object.node)
+              .arg(object.givenUp));
     }
   }
   return lines;

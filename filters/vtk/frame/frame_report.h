@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/base/phrase.h"
+
 namespace boxprobe {
 
 struct FrameReport {
@@ -22,7 +24,7 @@ struct FrameReport {
     std::vector<Share> probes;  ///< in order of decreasing importance
     double sky = 1.0;
     std::size_t leftOut = 0;  ///< probes that reach it beyond the maximum of a draw
-    std::string givenUp;      ///< for want of texture units, as the end of a line; empty: nothing
+    Phrase givenUp;           ///< for want of texture units, as the end of a line; empty: nothing
     bool weights = false;     ///< are weights computed?
     std::string variant;      ///< objects with equal keys share a program, whatever their textures
   };
@@ -38,7 +40,7 @@ struct FrameReport {
   struct MirrorUse {
     std::string node;
     bool drawn = false;
-    std::string why;            ///< if not drawn: the reason, as the end of a sentence
+    Phrase why;                 ///< if not drawn: the reason, as the end of a sentence
     int width = 0, height = 0;  ///< texels of its picture
     std::size_t objects = 0;    ///< moving objects in it
     std::size_t hiding = 0;     ///< static objects that may hide those, drawn as depth only
@@ -68,11 +70,11 @@ struct DrawnProgram {
 };
 
 /// The cost of the planar mirrors' pictures that were drawn, one sentence each.
-std::vector<std::string> mirrorLines(const FrameReport& report);
+std::vector<Phrase> mirrorLines(const FrameReport& report);
 /// Work that the frame could skip, one sentence each.
-std::vector<std::string> skippedLines(const FrameReport& report);
+std::vector<Phrase> skippedLines(const FrameReport& report);
 /// Objects that more probes reach than a draw can have, or with more impostors than the driver links, one sentence
 /// each.
-std::vector<std::string> leftOutLines(const FrameReport& report);
+std::vector<Phrase> leftOutLines(const FrameReport& report);
 
 }  // namespace boxprobe

@@ -83,25 +83,25 @@ double blurMargin(const PictureView& view, const MirrorPlane& plane, double roug
 
 }  // namespace
 
-const char* mirrorStateText(MirrorState state) {
+Phrase mirrorStateText(MirrorState state) {
   switch (state) {
     case MirrorState::Disabled:
-      return "it is switched off, hidden, or not lit by probes";
+      return Phrase::tr("it is switched off, hidden, or not lit by probes");
     case MirrorState::Rough:
-      return "it is rougher than its maxRoughness";
+      return Phrase::tr("it is rougher than its maxRoughness");
     case MirrorState::FacingAway:
-      return "it faces away";
+      return Phrase::tr("it faces away");
     case MirrorState::NotInView:
-      return "it is out of view";
+      return Phrase::tr("it is out of view");
     case MirrorState::NothingDynamic:
-      return "no dynamic object is in its view";
+      return Phrase::tr("no dynamic object is in its view");
     case MirrorState::OverBudget:
-      return "larger mirrors used up the mirrorBudget";
+      return Phrase::tr("larger mirrors used up the mirrorBudget");
     case MirrorState::Drawn:
     case MirrorState::NotDrawn:
       break;
   }
-  return "";
+  return {};
 }
 
 MirrorSet::MirrorSet(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, const SceneContent* content)

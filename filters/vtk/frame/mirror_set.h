@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/base/phrase.h"
 #include "filters/core/geometry/mirror_view.h"
 #include "filters/vtk/draw/mirror_picture.h"
 #include "filters/vtk/frame/mirror_painter.h"
@@ -17,7 +18,7 @@ namespace boxprobe {
 enum class MirrorState { NotDrawn, Drawn, Disabled, Rough, FacingAway, NotInView, NothingDynamic, OverBudget };
 
 /// Why it has no picture, as the end of a sentence; empty if it has one.
-const char* mirrorStateText(MirrorState state);
+Phrase mirrorStateText(MirrorState state);
 
 struct MirrorReport {
   std::string node;

@@ -46,7 +46,7 @@ std::vector<std::string> sceneRemarks(const SceneContent& content, const FrameRe
     texts.insert(texts.end(), lines.begin(), lines.begin() + static_cast<long>(std::min(lines.size(), kNamed)));
   };
   addFirst(glassRemarks(content));
-  const std::vector<std::string> leftOut = leftOutLines(report);
+  const std::vector<std::string> leftOut = english(leftOutLines(report));
   addFirst(leftOut);
   if (leftOut.size() > kNamed) {
     texts.push_back("and " + std::to_string(leftOut.size() - kNamed) +

@@ -131,8 +131,8 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
     if (surface.object == 0) {
       e.color = sky[at(p)].color;
       e.rendered = e.color;
-      e.notes.emplace_back(
-          "No surface at this pixel: it shows the sky, so there is no point, normal or reflected ray.");
+      e.notes.push_back(
+          Phrase::tr("No surface at this pixel: it shows the sky, so there is no point, normal or reflected ray."));
     } else {
       e = explainOne(surface);
     }

@@ -212,7 +212,7 @@ bool vtkReflectionProbeFit::Fit(vtkReflectionProbe* probe) {
       this->Report = "stopped; the probe is as it was\n";
       return false;
     }
-    for (const std::string& remark : fit->remarks) {
+    for (const std::string& remark : boxprobe::english(fit->remarks)) {
       this->Report += remark + "\n";
     }
     if (fit->outcome != boxprobe::FitOutcome::Fitted) {
@@ -261,11 +261,11 @@ int vtkReflectionProbeFit::Place(int most) {
       return 0;
     }
     for (const boxprobe::PlacedRoom& room : placed->rooms) {
-      for (const std::string& decision : room.decisions) {
+      for (const std::string& decision : boxprobe::english(room.decisions)) {
         this->Report += decision + "\n";
       }
     }
-    for (const std::string& remark : placed->remarks) {
+    for (const std::string& remark : boxprobe::english(placed->remarks)) {
       this->Report += remark + "\n";
     }
     for (const boxprobe::PlacedProbe& each : placed->probes) {
