@@ -128,7 +128,7 @@ TEST_F(CompareTest, AllLightOrTheReflectionIsTraced) {
   EXPECT_TRUE(traced("Reflection traced")) << caption().toStdString();
   EXPECT_TRUE(window_->statusBar()->currentMessage().contains("reflection ray traced"));
   compare().traceReference(TracedLight::All);
-  EXPECT_TRUE(traced("Ray traced")) << caption().toStdString();
+  EXPECT_TRUE(traced("Path traced")) << caption().toStdString();
   EXPECT_TRUE(window_->statusBar()->currentMessage().contains("All light"));
   wipe().setDivider(0.0);
   if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT")) {
@@ -146,8 +146,8 @@ TEST_F(CompareTest, TheErrorAgainstTheTracedSceneGetsFinerAndFollowsTheView) {
   EXPECT_TRUE(compare().difference());
   const auto percent = [this] {
     const QString text = caption();
-    if (text == "Difference: Ray traced") return 100;
-    return text.startsWith("Difference: Ray traced, ") ? text.mid(24).section(' ', 0, 0).toInt() : 0;
+    if (text == "Difference: Path traced") return 100;
+    return text.startsWith("Difference: Path traced, ") ? text.mid(25).section(' ', 0, 0).toInt() : 0;
   };
   ASSERT_TRUE(waitFor([&] { return percent() > 0; })) << caption().toStdString();
   const int coarse = percent();

@@ -300,6 +300,7 @@ TEST_F(GermanWindowTest, NoEnglishWordIsLeft) {
   // Paths of files; the default of a field, as scene files have it.
   static const QRegularExpression kPath("\\S*(/\\S+|\\.json\\S*)"), kDefault("Standard: .*$");
   std::set<QString> seen;
+  window_->resize(1024, 700);
   window_->findChild<QPushButton*>("explainTool")->click();
   for (const char* name : {"cubemap", "debug", "cost", "frame", "explain"}) {
     window_->findChild<QDockWidget*>(name)->raise();
@@ -314,6 +315,7 @@ TEST_F(GermanWindowTest, NoEnglishWordIsLeft) {
     }
   }
   EXPECT_GT(seen.size(), 500u);
+  if (const char* out = std::getenv("BOXPROBE_TEST_OUTPUT")) window_->grab().save(QString(out) + "/de-explained.png");
   window_->findChild<QPushButton*>("explainTool")->click();
   window_->findChild<QDockWidget*>("probes")->raise();
 }

@@ -132,6 +132,18 @@ TEST_F(OwnSceneTest, ComesBackWholeWithItsView) {
   waitUntilIdle();
 }
 
+// The first step of that lesson shows no reflections.
+TEST_F(OwnSceneTest, IsCapturedAgainOnceALessonIsLeft) {
+  const std::string name = probe().name;
+  waitUntilIdle();
+  ASSERT_EQ(window_->renderer().bakeState(name), BakeState::UpToDate);
+  lessons().setFolder(lessonFolder());
+  openFromList("black-mirror");
+  waitUntilIdle();
+  click("leaveLessons");
+  EXPECT_TRUE(waitFor([&] { return window_->renderer().bakeState(name) == BakeState::UpToDate; }));
+}
+
 TEST_F(OwnSceneTest, ClosingAsksAboutItAndNeverAboutTheLessons) {
   openFromList(kMirror);
   edit({"probes.room.intensity=3"});

@@ -48,6 +48,17 @@ class WelcomeTest : public WindowTest {
   QTemporaryDir folder_;
 };
 
+// A window that never had one: the one that the program starts with.
+TEST_F(WelcomeTest, ANewWindowHasWhatWasOpenedLately) {
+  const QString path = folder_.filePath("seen.boxprobe.json");
+  saveSceneFile(scene().scene, path.toStdString());
+  ASSERT_TRUE(window_->files().openPath(path));
+  MainWindow other;
+  const auto all = other.findChild<Welcome*>()->findChildren<SceneCard*>();
+  EXPECT_TRUE(
+      std::any_of(all.begin(), all.end(), [](auto* card) { return card->accessibleName().startsWith("seen"); }));
+}
+
 TEST_F(WelcomeTest, AWindowWithoutASceneOffersTheExamplesAndOpensOne) {
   EXPECT_FALSE(welcome().isVisible());
   window_->viewport().setFocus();

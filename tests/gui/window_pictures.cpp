@@ -128,7 +128,7 @@ TEST_F(WindowPictures, AtOneToOne) {
   keep("worst-face");
   const auto* caption = window_->findChild<QLabel*>("compareRight");
   key(Qt::Key_V, Qt::ShiftModifier);
-  ASSERT_TRUE(QTest::qWaitFor([caption] { return caption->text() == "Difference: Ray traced"; }, 600000));
+  ASSERT_TRUE(QTest::qWaitFor([caption] { return caption->text() == "Difference: Path traced"; }, 600000));
   keep("error-worst-face");
   key(Qt::Key_Escape);
   window_->editor().undo();

@@ -233,6 +233,28 @@ TEST(EngineImport, WhatIsOffInUnityIsLeftOutAndSaid) {
   EXPECT_THAT(group.remarks, testing::ElementsAre("probes.Hall: is left out, because m_IsActive is 0 of \"Group\""));
 }
 
+// Each name was looked for from the first number on, and each probe's parents were read anew.
+TEST(EngineImport, ThousandsOfOneNameAreReadAndTooManyRefused) {
+  const auto unity = [](int count) {
+    std::string text = kUnity;
+    for (int i = 0; i < count; ++i) {
+      const std::string id = std::to_string(1000 + i);
+      text += "--- !u!215 &" + id + "\nReflectionProbe:\n  m_GameObject: {fileID: 100}\n";
+    }
+    return text;
+  };
+  const ImportedProbes many = parseUnityProbes(unity(9999), "a");
+  ASSERT_THAT(many.probes, SizeIs(10000));
+  EXPECT_EQ(many.probes[9999].name, "Hall 10000");
+  expectNear(many.probes[9999].origin, many.probes[0].origin);
+  EXPECT_EQ(errorText([&] { parseUnityProbes(unity(10000), "a"); }),
+            "a: has more than 10000 reflection probes, the most that are read; leave some out");
+  std::string godot = "[gd_scene format=3]\n[node name=\"Root\" type=\"Node3D\"]\n";
+  for (int i = 0; i < 10001; ++i) godot += "[node name=\"P\" type=\"ReflectionProbe\" parent=\".\"]\n";
+  EXPECT_EQ(errorText([&] { parseGodotProbes(godot, "b.tscn"); }),
+            "b.tscn: has more than 10000 reflection probes, the most that are read; leave some out");
+}
+
 /// A probe in a node A, each with the lines given.
 ImportedProbes godotPair(const std::string& parent, const std::string& probe) {
   return parseGodotProbes(

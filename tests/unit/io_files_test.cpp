@@ -170,6 +170,20 @@ TEST(JsonLimits, WhatHasMoreEntriesIsNamedBeforeItIsRead) {
   EXPECT_NO_THROW(checkJsonSyntax(list + "]}", "model.gltf"));
 }
 
+// A key of a megabyte above ten thousand elements took 10 GB of places.
+TEST(JsonLimits, ALongKeyIsKeptOnce) {
+  std::string text = "{\n\"" + std::string(1 << 20, 'k') + "\": [0";
+  for (int i = 1; i < 10000; ++i) text += i == 77 ? ",\n  {\"a/b~\": [5, 6]}" : ",0";
+  const JsonText read = parseJsonText(text + "]}", "s.json");
+  Json::json_pointer element;
+  element.push_back(std::string(1 << 20, 'k'));
+  EXPECT_EQ(read.placeText(element), "s.json:2:1");
+  element.push_back("77");
+  EXPECT_EQ(read.placeText(element), "s.json:3:3");
+  EXPECT_EQ(read.placeText(element / "a/b~" / 1), "s.json:3:16");
+  EXPECT_EQ(read.placeText(element / "a/b~" / 2), "s.json:3:4") << "the nearest that is there";
+}
+
 // Where the library has no std::from_chars for fractions, a stream reads the same from the same text.
 TEST(NumberText, AStreamReadsWhatTheLibraryReads) {
   for (const std::string text : {"0",

@@ -1,11 +1,14 @@
 // Broken glTF files: each must be refused in one line that names file and place, never read out of bounds.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <type_traits>
 
+#include "filters/io/gltf/gltf_chunks.h"
 #include "filters/io/gltf/gltf_parts.h"
 #include "filters/io/gltf/model_file.h"
 #include "tests/unit/error_text.h"
@@ -233,6 +236,150 @@ TEST_F(ModelDamage, FilesThatAreMissingOrOfAnotherKindAreNamed) {
   const std::string path = write("m.gltf", glb.gltf("gone.bin"));
   EXPECT_EQ(errorText([&] { loadModelFile(path); }),
             path + ": " + file("gone.bin") + ": does not exist; check the path");
+}
+
+TEST_F(ModelDamage, OnlyTheFirstBufferIsTheBinaryChunk) {
+  GlbBuilder glb;
+  glb.triangle();
+  glb.json["extras"] = std::string(100, 'x');  // gives way to the second buffer
+  std::string bytes = glb.glb();
+  const std::string from = R"("buffers":[{"byteLength":36}],"extras":")" + std::string(100, 'x') + '"';
+  std::string to = R"("buffers":[{"byteLength":36},{"byteLength":36}])";
+  to.resize(from.size(), ' ');
+  ASSERT_NE(bytes.find(from), std::string::npos);
+  bytes.replace(bytes.find(from), from.size(), to);
+  EXPECT_EQ(fileProblem(bytes), "buffer 1: has no uri, and only buffer 0 may be the binary chunk; export it again");
+}
+
+TEST_F(ModelDamage, ManyDifferentWarningsAreEachAddedOnce) {
+  GlbBuilder glb;
+  glb.triangle();
+  constexpr int kCount = 30000;
+  for (const int round : {0, 1}) {
+    for (int i = 0; i < kCount; ++i) glb.json["extensionsUsed"].push_back("ACME_" + std::to_string(i + round));
+  }
+  EXPECT_EQ(loadModelFile(write("m.glb", glb.glb())).warnings.size(), kCount + 1u);
+}
+
+/// Small files that name the same bytes many times, or bytes that unpack to many: no single use is beyond a limit.
+class RepeatedData : public ModelDamage {
+ protected:
+  RepeatedData() { gltfMostBytes() = 1 << 20; }
+  ~RepeatedData() override { gltfMostBytes() = usual_; }
+  void expectTooMuch(const std::string& text, const std::string& place) const {
+    EXPECT_EQ(text.rfind(place, 0), 0u) << text;
+    EXPECT_NE(text.find(": comes, with all before it, to more than 0.00"), std::string::npos) << text;
+    EXPECT_NE(text.find(" bytes may become on this machine; split the file, or let fewer parts share the same data"),
+              std::string::npos)
+        << text;
+  }
+  static Json::array_t copies(std::size_t count, const Json& of) { return Json::array_t(count, of); }
+
+ private:
+  const std::uint64_t usual_ = gltfMostBytes();
+};
+
+TEST_F(RepeatedData, OfPrimitivesThatSharePositions) {
+  expectTooMuch(problem([](GlbBuilder& g) {
+                  const int many = g.floats("VEC3", 3, std::vector<float>(9000));
+                  g.json["meshes"][0]["primitives"] = copies(200, {{"attributes", {{"POSITION", many}}}});
+                }),
+                "mesh 0 \"mesh0\": primitive ");
+}
+
+TEST_F(RepeatedData, OfPrimitivesThatShareAnAccessorWithoutBytes) {
+  const auto zeros = [](std::size_t primitives) {
+    return [primitives](GlbBuilder& g) {
+      const int many = g.accessor(-1, GlbBuilder::Float, "VEC3", 1 << 16);
+      g.json["meshes"][0]["primitives"] = copies(primitives, {{"attributes", {{"POSITION", many}}}, {"indices", 0}});
+    };
+  };
+  expectTooMuch(problem(zeros(20)), "mesh 0 \"mesh0\": primitive 1: POSITION: accessor 2: comes");
+  gltfMostBytes() = 0;  // no limit
+  GlbBuilder glb;
+  glb.accessor(glb.view(std::vector<std::uint16_t>{0, 1, 2, 0}), GlbBuilder::UShort, "SCALAR", 3);
+  glb.triangle();
+  zeros(20)(glb);
+  EXPECT_EQ(loadModelFile(write("m.glb", glb.glb())).triangleCount(), 20u);
+}
+
+TEST_F(RepeatedData, OfMorphTargets) {
+  expectTooMuch(
+      problem([](GlbBuilder& g) {
+        const int many = g.floats("VEC3", 3, std::vector<float>(9000));
+        Json& mesh = g.json["meshes"][0];
+        mesh["weights"] = std::vector<double>(200, 0.5);
+        mesh["primitives"][0] = {{"attributes", {{"POSITION", many}}}, {"targets", copies(200, {{"POSITION", many}})}};
+      }),
+      "mesh 0 \"mesh0\": primitive 0: target ");
+}
+
+TEST_F(RepeatedData, OfNodesThatShareASkin) {
+  expectTooMuch(problem([](GlbBuilder& g) {
+                  std::vector<int> joints;
+                  for (int i = 0; i < 300; ++i) joints.push_back(g.node(Json::object()));
+                  g.json["skins"] = Json::array({{{"joints", joints}}});
+                  for (int i = 0; i < 100; ++i) g.node({{"mesh", 0}, {"skin", 0}});
+                }),
+                "node 3");
+}
+
+TEST_F(RepeatedData, OfMeshoptViews) {
+  expectTooMuch(problem([](GlbBuilder& g) {
+                  // A hundred blocks of 256 vertices, 2 bits of which say that all their bytes are 0.
+                  constexpr std::size_t kBlocks = 100;
+                  std::vector<std::uint8_t> stream(1 + 16 * kBlocks + 32);
+                  stream[0] = 0xa0;
+                  Json view = g.json["bufferViews"][g.view(stream)];
+                  view["extensions"]["EXT_meshopt_compression"] = {
+                      {"buffer", 0},     {"byteOffset", view["byteOffset"]}, {"byteLength", stream.size()},
+                      {"byteStride", 4}, {"count", 256 * kBlocks},           {"mode", "ATTRIBUTES"}};
+                  for (int i = 0; i < 50; ++i) g.json["bufferViews"].push_back(view);
+                }),
+                "bufferView 1");
+}
+
+TEST_F(RepeatedData, OfDracoStreams) {
+  std::ifstream stream(BOXPROBE_SOURCE_DIR "/tests/unit/models/torus-draco.glb", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const Chunks chunks = chunksOf(bytes, "torus-draco.glb");
+  GlbBuilder glb;
+  glb.json = Json::parse(chunks.json);
+  glb.buffer.assign(reinterpret_cast<const char*>(chunks.binary.data), chunks.binary.size);
+  EXPECT_GT(loadModelFile(write("m.glb", glb.glb())).triangleCount(), 100u);
+  Json& primitives = glb.json["meshes"][0]["primitives"];
+  primitives = copies(200, Json(primitives[0]));
+  expectTooMuch(fileProblem(glb.glb()), "mesh 0 \"");
+}
+
+TEST_F(RepeatedData, OfBuffersOfOneFile) {
+  GlbBuilder glb;
+  glb.triangle();
+  glb.buffer.resize(20000);
+  write("data.bin", glb.buffer);
+  const auto text = [&glb](int count) {
+    Json whole = glb.json;
+    for (int i = 0; i < count; ++i) {
+      whole["buffers"].push_back({{"byteLength", 20000}, {"uri", i % 2 == 0 ? "data.bin" : ".//%64ata.bin"}});
+    }
+    return whole.dump();
+  };
+  EXPECT_EQ(loadModelFile(write("m.gltf", text(10))).triangleCount(), 1u);
+  expectTooMuch(fileProblem(text(100)), "buffer ");
+}
+
+/// Whatever the machine's memory is.
+TEST_F(RepeatedData, FilesThatNameTheirBytesOnceAreRead) {
+  gltfMostBytes() = 1;
+  const std::string models = BOXPROBE_SOURCE_DIR "/tests/unit/models/";
+  for (const char* name : {"bar.glb", "tori-instanced.glb", "tori.glb", "torus-meshopt.glb", "torus-quantized.glb",
+                           "torus-variants.glb", "torus-webp.glb", "torus.glb"}) {
+    EXPECT_GT(loadModelFile(models + name).triangleCount(), 0u) << name;
+  }
+  GlbBuilder glb;  // every index becomes a corner with a normal
+  glb.triangle(
+      {{"indices", glb.accessor(glb.view(std::vector<std::uint16_t>(30000)), GlbBuilder::UShort, "SCALAR", 30000)}});
+  EXPECT_EQ(loadModelFile(write("m.glb", glb.glb())).triangleCount(), 10000u);
 }
 
 /// Any single changed byte gives a model or one of this program's errors, nothing else (run under AddressSanitizer,

@@ -299,6 +299,17 @@ TEST_F(ModelGeometry, AnAnimationFollowsItsTangents) {
 }
 
 // The triangle stands 5 before the camera, from 0 to 1 in x and y.
+TEST_F(ModelGeometry, ManyCamerasOfOneNameAreCounted) {
+  constexpr int kCount = 4000;
+  glb.json["cameras"] = Json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}});
+  for (int i = 0; i < kCount; ++i) glb.node({{"camera", 0}, {"name", i == 1 ? "a 3" : "a"}});
+  const Model model = load();
+  ASSERT_EQ(model.cameras.size(), std::size_t(kCount));
+  const std::vector<std::string> first = {"a", "a 3", "a 2", "a 4"};
+  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(model.cameras[i].name, first[i]);
+  EXPECT_EQ(model.cameras.back().name, "a " + std::to_string(kCount));
+}
+
 TEST_F(ModelGeometry, PlanesThatCutTheModelAreNamed) {
   glb.triangle();
   glb.json["nodes"].push_back({{"camera", 0}, {"translation", {0.3, 0.3, 5.0}}, {"name", "cut"}});
@@ -366,6 +377,19 @@ TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {
   for (const char* word : {"KHR_materials_dispersion", "KHR_xmp", "COLOR_1", "lines"}) {
     EXPECT_NE(all.find(word), std::string::npos) << word;
   }
+}
+
+TEST_F(ModelGeometry, ExtensionsThatTheFileDoesNotListAreNamed) {
+  glb.triangle();
+  glb.json["nodes"][0]["extensions"]["KHR_node_visibility"] = {{"visible", false}};
+  glb.json["nodes"][0]["extras"]["extensions"]["ACME_own"] = Json::object();
+  glb.json["materials"] = Json::array({{{"extensions", {{"KHR_materials_unlit", Json::object()}}}}});
+  glb.json["extensions"]["ACME_lights"] = {{"list", Json::array({{{"extensions", {{"ACME_rays", 1}}}}})}};
+  EXPECT_EQ(load().warnings,
+            (std::vector<std::string>{"uses the extension ACME_lights, which is not supported and is ignored",
+                                      "uses the extension ACME_rays, which is not supported and is ignored",
+                                      "uses the extension KHR_node_visibility, which is not supported: every node is "
+                                      "drawn"}));
 }
 
 }  // namespace

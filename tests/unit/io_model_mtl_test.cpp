@@ -6,6 +6,7 @@
 
 #include "filters/io/image/image_file.h"
 #include "filters/vtk/import/model_reader.h"
+#include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {
@@ -16,6 +17,12 @@ class MtlFile : public TemporaryFolder {
   MtlFile() {
     write("m.obj",
           "mtllib m.mtl\nv 0 0 0\nv 2 0 0\nv 0 3 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nusemtl m\nf 1/1/1 2/2/1 3/3/1\n");
+  }
+  std::string problem(int libraries) const {
+    std::string text = "v 0 0 0\nv 2 0 0\nv 0 3 0\n";
+    for (int i = 0; i < libraries; ++i) text += "mtllib m" + std::to_string(i) + ".mtl\n";
+    write("many.obj", text + "f 1 2 3\n");
+    return errorText([this] { readModel(file("many.obj")); });
   }
   Model model(const std::string& statements) const {
     write("m.mtl", "newmtl m\n" + statements);
@@ -41,6 +48,12 @@ class MtlFile : public TemporaryFolder {
     picture(name, width, std::move(rgba));
   }
 };
+
+// Each name that is missing was looked for in the folder.
+TEST_F(MtlFile, MoreLibrariesThanAnyModelHasAreRefused) {
+  const std::string line = problem(10001);
+  EXPECT_NE(line.find("many.obj:10004: more than 10000 lines name material files"), std::string::npos) << line;
+}
 
 TEST_F(MtlFile, NumbersOfTheExtensionForPhysicallyBasedMaterials) {
   const Material m =

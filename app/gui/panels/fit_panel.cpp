@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QFormLayout>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -75,14 +74,12 @@ FitPanel::FitPanel(Workspace& workspace)
   errors_->setToolTip(
       tr("Before and after: the angle between the sampled and the true direction, and the error of the sampled light"));
   rows->addWidget(errors_);
-  auto* grid = new QGridLayout;
-  rows->addLayout(grid);
   for (int face = 0; face < kFaces; ++face) {
     auto* box = new QCheckBox(faceName(face), review_);
     box->setObjectName(QString("fitFace%1").arg(face));
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // the column is no wider for it
     faces_[static_cast<std::size_t>(face)] = box;
-    grid->addWidget(box, face / 2, face % 2);
+    rows->addWidget(box);
     connect(box, &QCheckBox::toggled, this, [this] {
       if (result_) emit ghostChanged(proposed());
     });

@@ -6,7 +6,6 @@
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QKeyEvent>
-#include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QSignalBlocker>
@@ -23,6 +22,7 @@
 #include "app/gui/view/shown_parts.h"
 #include "app/gui/view/view_commands.h"
 #include "app/gui/view/workspace.h"
+#include "app/gui/widgets/search_field.h"
 
 namespace boxprobe {
 
@@ -76,7 +76,7 @@ Outliner::Outliner(Workspace& workspace, ProbeCommands& commands)
       state_(workspace.state()),
       commands_(commands),
       model_(new OutlinerModel(state_, this)),
-      filter_(new QLineEdit(this)) {
+      filter_(new SearchField(this)) {
   filter_->setObjectName("outlinerFilter");
   filter_->setPlaceholderText(tr("Find a name"));
   filter_->setClearButtonEnabled(true);
@@ -93,6 +93,7 @@ Outliner::Outliner(Workspace& workspace, ProbeCommands& commands)
   tree_->setModel(model_);
   tree_->setHeaderHidden(true);
   tree_->setUniformRowHeights(true);
+  tree_->setTextElideMode(Qt::ElideMiddle);  // names of one room differ at their end
   tree_->setIndentation(14);
   tree_->setAutoScroll(false);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);

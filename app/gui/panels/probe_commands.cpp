@@ -1,15 +1,15 @@
 // See probe_commands.h.
 #include "app/gui/panels/probe_commands.h"
 
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
-
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <numeric>
 #include <utility>
 
 #include "app/gui/edit/probe_copies.h"
+#include "app/gui/handles/scene_surfaces.h"
 #include "app/gui/view/workspace.h"
 #include "app/session/fit_scene.h"
 #include "filters/vtk/scene_renderer.h"
@@ -18,12 +18,23 @@ namespace boxprobe {
 
 namespace {
 
-Probe newProbe(const Scene& scene, const Box& bounds, const glm::dvec3& targetWorld) {
+Probe newProbe(const Scene& scene, const Box& bounds, const glm::dvec3& originWorld) {
   Probe probe = fittedProbe(bounds);
   probe.name = unusedProbeName(scene, "probe");
   // Looking past the scene must not put the origin outside of what it captures.
-  probe.origin = glm::clamp(targetWorld, bounds.min + 0.05 * bounds.size(), bounds.max - 0.05 * bounds.size());
+  probe.origin = glm::clamp(originWorld, bounds.min + 0.05 * bounds.size(), bounds.max - 0.05 * bounds.size());
   return probe;
+}
+
+/// Where the camera looks at. From within the scene never behind or in what it sees there: half way to that.
+glm::dvec3 lookedAt(const Camera& camera, const Box& bounds, const SurfaceRays* rays) {
+  const double distance = glm::distance(camera.position, camera.target);
+  const bool within =
+      glm::all(glm::lessThan(bounds.min, camera.position)) && glm::all(glm::lessThan(camera.position, bounds.max));
+  if (!within || rays == nullptr || !(distance > 0.0)) return camera.target;
+  const glm::dvec3 along = (camera.target - camera.position) / distance;
+  const std::optional<SurfaceHit> hit = rays->first(camera.position, along);
+  return hit && hit->distance <= distance ? camera.position + 0.5 * hit->distance * along : camera.target;
 }
 
 }  // namespace
@@ -38,10 +49,9 @@ void ProbeCommands::addProbe() {
   if (editor_.scene().models.empty()) {
     return emit editor_.failed(tr("There is nothing to capture yet: open a model or a scene first (Ctrl+O)"));
   }
-  SceneRenderer& renderer = workspace_.renderer();
-  // It is captured where the camera looks at.
-  const double* target = renderer.renderer()->GetActiveCamera()->GetFocalPoint();
-  const Probe probe = newProbe(editor_.scene(), renderer.bounds(), {target[0], target[1], target[2]});
+  const SceneRenderer& renderer = workspace_.renderer();
+  const glm::dvec3 origin = lookedAt(renderer.currentCamera(), renderer.bounds(), workspace_.surfaces().rays());
+  const Probe probe = newProbe(editor_.scene(), renderer.bounds(), origin);
   editor_.commit(tr("Add %1").arg(QString::fromStdString(probe.name)),
                  [probe](Scene& scene) { scene.probes.push_back(probe); });
   editor_.selectProbe(findProbe(editor_.scene(), probe.name));

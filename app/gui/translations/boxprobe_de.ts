@@ -1991,16 +1991,16 @@
         <translation>Dieses Bild fest&amp;halten</translation>
     </message>
     <message>
-        <source>With &amp;all light, ray traced</source>
-        <translation>Mit &amp;allem Licht, Raytracing</translation>
+        <source>With &amp;all light, path traced</source>
+        <translation>Mit &amp;allem Licht, Pathtracing</translation>
     </message>
     <message>
         <source>With the &amp;reflection alone ray traced</source>
         <translation>Nur die &amp;Reflexion per Raytracing</translation>
     </message>
     <message>
-        <source>&amp;Error against all light, ray traced</source>
-        <translation>&amp;Fehler gegen alles Licht, Raytracing</translation>
+        <source>&amp;Error against all light, path traced</source>
+        <translation>&amp;Fehler gegen alles Licht, Pathtracing</translation>
     </message>
     <message>
         <source>The &amp;difference in false colours</source>
@@ -5922,8 +5922,8 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>Das Bild ist rechts festgehalten: etwas ändern, den Teiler ziehen, V wechselt</translation>
     </message>
     <message>
-        <source>Ray traced</source>
-        <translation>Raytracing</translation>
+        <source>Path traced</source>
+        <translation>Pathtracing</translation>
     </message>
     <message>
         <source>Reflection traced</source>
@@ -7086,8 +7086,8 @@ lineares Licht %2  %3  %4   Abdeckung %5</translation>
         <translation>Die Szene, wie sie bearbeitet wird</translation>
     </message>
     <message>
-        <source>Ray traced</source>
-        <translation>Raytracing</translation>
+        <source>Path traced</source>
+        <translation>Pathtracing</translation>
     </message>
     <message>
         <source>All light of the scene, path traced in the background, with as many bounces as the probes have. The others are measured by it</source>

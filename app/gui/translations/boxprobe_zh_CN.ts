@@ -1991,16 +1991,16 @@
         <translation>保留此画面(&amp;H)</translation>
     </message>
     <message>
-        <source>With &amp;all light, ray traced</source>
-        <translation>与全部光照的光线追踪比较(&amp;A)</translation>
+        <source>With &amp;all light, path traced</source>
+        <translation>与全部光照的路径追踪比较(&amp;A)</translation>
     </message>
     <message>
         <source>With the &amp;reflection alone ray traced</source>
         <translation>仅反射使用光线追踪(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Error against all light, ray traced</source>
-        <translation>相对全部光照光线追踪的误差(&amp;E)</translation>
+        <source>&amp;Error against all light, path traced</source>
+        <translation>相对全部光照路径追踪的误差(&amp;E)</translation>
     </message>
     <message>
         <source>The &amp;difference in false colours</source>
@@ -5922,8 +5922,8 @@ one lookup, on face %1</source>
         <translation>画面已保留在右侧：请进行更改，拖动分隔线，V 切换</translation>
     </message>
     <message>
-        <source>Ray traced</source>
-        <translation>光线追踪</translation>
+        <source>Path traced</source>
+        <translation>路径追踪</translation>
     </message>
     <message>
         <source>Reflection traced</source>
@@ -7086,8 +7086,8 @@ linear light %2  %3  %4   coverage %5</source>
         <translation>编辑中的场景</translation>
     </message>
     <message>
-        <source>Ray traced</source>
-        <translation>光线追踪</translation>
+        <source>Path traced</source>
+        <translation>路径追踪</translation>
     </message>
     <message>
         <source>All light of the scene, path traced in the background, with as many bounces as the probes have. The others are measured by it</source>

@@ -45,7 +45,7 @@ void PictureCompare::hold() {
 }
 
 QString PictureCompare::referenceName() const {
-  return light_ == TracedLight::All ? tr("Ray traced") : tr("Reflection traced");
+  return light_ == TracedLight::All ? tr("Path traced") : tr("Reflection traced");
 }
 
 void PictureCompare::traceReference(TracedLight light) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/gui/handles/scene_surfaces.h"
 #include "app/gui/view/camera_moves.h"
@@ -27,7 +28,13 @@ bool cameraNamed(const Scene& scene, const std::string& name) {
 
 ViewCommands::ViewCommands(Editor& editor, const ViewState& state, SceneRenderer& renderer, Viewport& viewport,
                            SceneSurfaces& surfaces, QObject* parent)
-    : QObject(parent), editor_(editor), state_(state), renderer_(renderer), viewport_(viewport), surfaces_(surfaces) {}
+    : QObject(parent), editor_(editor), state_(state), renderer_(renderer), viewport_(viewport), surfaces_(surfaces) {
+  connect(&viewport, &Viewport::cameraMoved, this, &ViewCommands::forgetHint);
+}
+
+void ViewCommands::forgetHint() {
+  if (std::exchange(hinted_, false)) emit message({});
+}
 
 double ViewCommands::aspect() const {
   return viewport_.height() > 0 ? static_cast<double>(viewport_.width()) / viewport_.height() : 1.0;
@@ -59,16 +66,20 @@ void ViewCommands::frameSelection() {
   const MeetSurface meet = [this](const Ray& ray) { return surfaces_.meet(ray); };
   const bool indoors = any && isIndoors(eyeOf(camera), meet) && isIndoors(bounds.center(), meet);
   frameBox(camera, bounds, aspect());
+  bool hidden = false;
   if (any && camera->GetParallelProjection() == 0 && !state_.cutaway()) {
     const auto clear = clearDistance(camera, bounds, meet);
     if (clear && indoors) {
       const glm::dvec3 eye = bounds.center() - *clear * forwardOf(camera);
       camera->SetPosition(eye.x, eye.y, eye.z);
     } else if (clear) {
-      emit message(tr("A wall hides the selection; Alt+B cuts it away"));
+      hidden = true;
     }
   }
   emit cameraMoved();
+  if (!hidden) return;
+  hinted_ = true;
+  emit message(tr("A wall hides the selection; Alt+B cuts it away"));
 }
 
 void ViewCommands::lookAlong(const BoxFace& face) {

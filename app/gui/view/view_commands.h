@@ -37,6 +37,8 @@ class ViewCommands : public QObject {
   /// Other models are shown: a view of those before is none of these.
   void forgetView();
   void setWalking(bool on);
+  /// What was said of a view that is no more.
+  void forgetHint();
 
   /// The view as it is now, as the scene's last camera; a name that is taken gets a number.
   void storeCamera(const QString& name);
@@ -62,6 +64,7 @@ class ViewCommands : public QObject {
   Viewport& viewport_;
   SceneSurfaces& surfaces_;
   std::optional<Camera> before_;  ///< a spot was looked at
+  bool hinted_ = false;           ///< what the view lacks
 };
 
 }  // namespace boxprobe

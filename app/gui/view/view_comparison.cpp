@@ -32,7 +32,7 @@ std::vector<CompareViews::Choice> viewChoices() {
   std::vector<CompareViews::Choice> choices = {
       {"", ViewComparison::tr("Nothing"), {}},
       {"now", ViewComparison::tr("As it is now"), ViewComparison::tr("The scene as it is edited")},
-      {"traced", ViewComparison::tr("Ray traced"),
+      {"traced", ViewComparison::tr("Path traced"),
        ViewComparison::tr(
            "All light of the scene, path traced in the background, with as many bounces as the probes have. The "
            "others are measured by it")},

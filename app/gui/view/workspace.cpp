@@ -108,6 +108,7 @@ void Workspace::bindActions() {
   connect(a.isolate, &QAction::triggered, shown_, &ShownParts::toggleIsolation);
   a.cutaway->setChecked(state_.cutaway());
   connect(a.cutaway, &QAction::toggled, shown_, &ShownParts::setCutaway);
+  connect(a.cutaway, &QAction::toggled, views_, &ViewCommands::forgetHint);
 }
 
 Workspace::~Workspace() {
@@ -155,6 +156,7 @@ void Workspace::showScene(LoadedScene loaded) {
   emit opened(loaded);
   picture_->resetCamera();
   document_.selectProbe(probeNearest(document_.scene().probes, renderer_->currentCamera().position));
+  viewport_->setFocus();  // keys are for the picture, not for the first field there is
 }
 
 void Workspace::showModels(const Models& models, const std::string& path) {

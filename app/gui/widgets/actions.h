@@ -66,9 +66,9 @@ class Actions : public QObject {
       addSwitch(Off, tr("Cu&t away what hides the probe's box"), "Alt+B",
                 tr("Looks into a room from outside. Exported pictures, errors and captures are not cut"), "cutaway");
   QAction* const hold = add(tr("&Hold this picture"), "C");
-  QAction* const trace = add(tr("With &all light, ray traced"), "Shift+C");
+  QAction* const trace = add(tr("With &all light, path traced"), "Shift+C");
   QAction* const traceReflection = add(tr("With the &reflection alone ray traced"));
-  QAction* const traceError = add(tr("&Error against all light, ray traced"), "Shift+V");
+  QAction* const traceError = add(tr("&Error against all light, path traced"), "Shift+V");
   QAction* const difference = addSwitch(Off, tr("The &difference in false colours"), "Ctrl+Shift+D");
   QAction* const flip = addSwitch(Off, tr("&Flip to the other picture"), "V");
   QAction* const sideBySide = addSwitch(Off, tr("Four &views side by side"), "Alt+C");

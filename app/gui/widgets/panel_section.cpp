@@ -4,13 +4,12 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMouseEvent>
 #include <QVBoxLayout>
 
 #include "app/gui/widgets/preferences.h"
+#include "app/gui/widgets/search_field.h"
 
 namespace boxprobe {
 
@@ -19,23 +18,6 @@ namespace {
 QString plainText(QString text) {
   return text.remove('&');
 }
-
-/// Esc empties it before it is anything else's.
-class SearchField : public QLineEdit {
- public:
-  using QLineEdit::QLineEdit;
-
- protected:
-  bool event(QEvent* event) override {
-    const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-    if (!key || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || text().isEmpty()) {
-      return QLineEdit::event(event);
-    }
-    event->accept();
-    if (event->type() == QEvent::KeyPress) clear();
-    return true;
-  }
-};
 
 }  // namespace
 

@@ -130,7 +130,7 @@ void MainWindow::observeWelcome() {
 
 void MainWindow::updateWelcome() {
   const bool empty = workspace_.document().scene().models.empty();
-  if (empty && !welcome_->isVisibleTo(&workspace_.viewport())) welcome_->setRecent(recentFiles());
+  if (empty) welcome_->setRecent(recentFiles());
   welcome_->setVisible(empty);
 }
 

@@ -14,6 +14,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <initializer_list>
+#include <new>
+#include <string>
 #include <vector>
 
 #include "filters/core/base/errors.h"
@@ -37,6 +39,15 @@ inline RTCDevice newRayDevice() {
     throw WorkError("the ray tracer (Embree) does not start on this machine");
   }
   return device;
+}
+
+/// After a scene was committed: throws std::bad_alloc, or WorkError that Embree cannot take `what`.
+inline void checkCommitted(RTCDevice device, const std::string& what) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (error != RTC_ERROR_NONE) {
+    throw WorkError("the ray tracer (Embree) cannot take " + what + ", error " + std::to_string(error));
+  }
 }
 
 /// Space for triangles in a geometry; null pointers without memory, which the device's error tells.

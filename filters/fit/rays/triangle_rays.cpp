@@ -296,10 +296,7 @@ TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seen
   if (!glm::any(glm::greaterThan(core_.size(), glm::dvec3(0.0)))) core_ = bounds_;  // all triangles are degenerate
   s.fill(placed, anchor_, positions, triangles_);
   rtcCommitScene(s.scene);
-  if (const RTCError error = rtcGetDeviceError(s.device); error != RTC_ERROR_NONE) {
-    throw WorkError("the ray tracer (Embree) cannot take the model, error " + std::to_string(error) +
-                    (error == RTC_ERROR_OUT_OF_MEMORY ? ": not enough memory" : ""));
-  }
+  checkCommitted(s.device, "the model");
 }
 
 TriangleRays::~TriangleRays() = default;

@@ -230,9 +230,8 @@ BakedMaps readMaps(const GlbDocument& document, const Entry& map, Budget& budget
   return maps;
 }
 
-void saveMap(const GlbDocument& document, const Entry& extension, const Entry& owner, const Probe& probe,
+void saveMap(const GlbDocument& document, const std::vector<Entry>& all, const Entry& owner, const Probe& probe,
              const std::string& folder, std::set<std::size_t>& used, Budget& budget) {
-  const std::vector<Entry> all = extension.list("maps");
   if (all.empty()) owner.at("map").fail("the file has no maps");
   const std::size_t number = owner.at("map").whole(all.size() - 1);
   if (!used.insert(number).second) owner.at("map").fail("map " + std::to_string(number) + " has an owner already");
@@ -280,6 +279,7 @@ void unpackGlb(const std::string& path, const std::string& folder) {
     writeTextAtomically((fs::path(folder) / file.at("name").text()).string(), std::string(bytes));
   }
   const std::string maps = (fs::path(folder) / kMaps).string();
+  const std::vector<Entry> all = extension.list("maps");
   std::set<std::string> saved;
   std::set<std::size_t> used;
   for (const Entry& entry : extension.list("probes")) {
@@ -287,12 +287,12 @@ void unpackGlb(const std::string& path, const std::string& folder) {
     const auto index = findProbe(scene, name);
     if (!index) entry.fail("\"" + name + "\" is no probe of the scene");
     if (!saved.insert(name).second) entry.fail("\"" + name + "\" is there twice");
-    if (entry.has("map")) saveMap(document, extension, entry, scene.probes[*index], maps, used, forMaps);
+    if (entry.has("map")) saveMap(document, all, entry, scene.probes[*index], maps, used, forMaps);
   }
   if (extension.has("sky")) {
     Probe sky;
     sky.name.clear();
-    saveMap(document, extension, extension.at("sky"), sky, maps, used, forMaps);
+    saveMap(document, all, extension.at("sky"), sky, maps, used, forMaps);
   }
 }
 

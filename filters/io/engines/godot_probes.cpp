@@ -8,7 +8,6 @@
 #include <glm/matrix.hpp>
 #include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -126,7 +125,10 @@ class GodotReader {
       bool visible = true;
     };
     std::map<std::string, Placed> placed;  // by path below the root
-    std::set<std::string> taken;
+    checkProbeCount(name_, static_cast<std::size_t>(std::count_if(nodes_.begin(), nodes_.end(), [](const auto& node) {
+                      return node.type == "ReflectionProbe";
+                    })));
+    ProbeNames names{Scene()};
     bool any = false;
     for (const GodotNode& node : nodes_) {
       const bool root = node.parent.empty();
@@ -141,7 +143,7 @@ class GodotReader {
       if (node.type != "ReflectionProbe") continue;
       any = true;
       const std::optional<Probe> before = exported(node, imported.remarks);
-      const std::string name = uniqueName(taken, before ? before->name : node.name);
+      const std::string name = uniqueName(names, before ? before->name : node.name);
       if (!own.visible) {
         imported.remarks.push_back("probes." + name + ": is left out, because it or a parent has visible = false");
         continue;

@@ -7,13 +7,15 @@
 #include <glm/vec3.hpp>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 
+#include "filters/core/base/errors.h"
+#include "filters/core/base/file_limits.h"
 #include "filters/core/base/one_line.h"
 #include "filters/core/base/printable_text.h"
 #include "filters/core/base/read_number.h"
+#include "filters/core/scene/scene.h"
 #include "filters/io/engines/probe_import.h"
 
 namespace boxprobe {
@@ -54,11 +56,15 @@ std::optional<std::string> leftOut(const LeftOutField (&fields)[N], const std::s
 }
 
 /// An unused name made of characters that a scene file allows: probe names are unique here, but not in engines.
-inline std::string uniqueName(std::set<std::string>& taken, const std::string& wanted) {
-  const std::string stem = wanted.empty() ? "probe" : printable(oneLine(wanted));
-  std::string name = stem;
-  for (int number = 2; !taken.insert(name).second; ++number) name = stem + " " + std::to_string(number);
-  return name;
+inline std::string uniqueName(ProbeNames& names, const std::string& wanted) {
+  return names.take(wanted.empty() ? "probe" : printable(oneLine(wanted)));
+}
+
+/// A scene has no more.
+inline void checkProbeCount(const std::string& file, std::size_t probes) {
+  if (probes <= limits::kEntries) return;
+  throw InputError(file + ": has more than " + std::to_string(limits::kEntries) +
+                   " reflection probes, the most that are read; leave some out");
 }
 
 }  // namespace boxprobe

@@ -7,7 +7,6 @@
 #include <glm/vec4.hpp>
 #include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "filters/core/base/errors.h"
@@ -125,12 +124,13 @@ class UnityReader {
                        ": has no ReflectionProbe; save the scene or prefab that does as text (Project Settings, "
                        "Editor, Asset Serialization)");
     }
-    std::set<std::string> taken;
+    checkProbeCount(name_, byLine.size());
+    ProbeNames names{Scene()};
     for (const auto& [line, object] : byLine) {
       const std::string owner = reference(*object, "m_GameObject");
       const auto gameObject = objects_.find(owner);
       const std::string name =
-          uniqueName(taken, gameObject == objects_.end() ? "" : text(gameObject->second, "m_Name"));
+          uniqueName(names, gameObject == objects_.end() ? "" : text(gameObject->second, "m_Name"));
       if (const std::string off = whyOff(*object, owner); !off.empty()) {
         imported.remarks.push_back("probes." + name + ": is left out, because " + off);
         continue;
@@ -179,6 +179,7 @@ class UnityReader {
 
   NodePlacement placement(const std::string& transformId, int depth) const {
     constexpr int kDeepest = 256;
+    if (const auto known = placed_.find(transformId); known != placed_.end()) return known->second;
     const auto found = objects_.find(transformId);
     if (found == objects_.end()) return {};
     const UnityObject& transform = found->second;
@@ -200,7 +201,9 @@ class UnityReader {
          s.z * (1 - k * (q.x * q.x + q.y * q.y))}};
     own.position = glm::dvec3(p);
     const std::string father = reference(transform, "m_Father");
-    return father.empty() || father == "0" ? own : own.within(placement(father, depth + 1));
+    if (!father.empty() && father != "0") own = own.within(placement(father, depth + 1));
+    placed_.emplace(transformId, own);
+    return own;
   }
 
   /// Empty if Unity shows the probe: it, its object and the object's parents are all on.
@@ -307,7 +310,8 @@ class UnityReader {
   }
 
   UnityObjects objects_;
-  std::map<std::string, std::string> transformOf_;  // by game object
+  std::map<std::string, std::string> transformOf_;       // by game object
+  mutable std::map<std::string, NodePlacement> placed_;  // by transform: many probes may share a chain of parents
   std::string name_;
 };
 

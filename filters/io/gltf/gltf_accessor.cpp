@@ -121,6 +121,7 @@ std::vector<unsigned char> packedElements(const GltfFile& file, int index, std::
   } else if (accessor.count > limits::kGltfZeroElements) {
     file.fail(where, "has " + std::to_string(accessor.count) + " elements without data");
   }
+  file.count(accessor.count * elementSize, where);
   std::vector<unsigned char> packed(accessor.count * elementSize, 0);
   if (base.data != nullptr) {
     for (std::size_t i = 0; i < accessor.count; ++i) {
@@ -240,7 +241,8 @@ AddedAccessors::~AddedAccessors() {
 }
 
 int addAccessor(GltfFile& file, std::vector<unsigned char> bytes, std::size_t count, int componentType, int type,
-                bool normalized) {
+                bool normalized, const std::string& where) {
+  file.count(bytes.size(), where);
   tinygltf::BufferView view;
   view.buffer = static_cast<int>(file.gltf.buffers.size());
   view.byteLength = bytes.size();

@@ -29,8 +29,8 @@ struct GltfSource {
 /// The size and the syntax of the JSON text are checked. Throws InputError.
 GltfSource readGltfSource(const std::string& path);
 
-/// The `length` bytes of buffer `index`: of its `uri`, else of the binary chunk, null for a file without one. `read`
-/// keeps what was read. Throws InputError for what is missing or cut off.
+/// The `length` bytes of buffer `index`: of its `uri`, else, for buffer 0 (glTF 2.0, section 3.6.1.2), of the binary
+/// chunk, null for a file without one. `read` keeps what was read. Throws InputError for what is missing or cut off.
 ByteRange bufferBytes(const GltfFile& file, std::size_t index, const std::string& uri, const ByteRange* chunk,
                       std::uint64_t length, std::unique_ptr<std::string>& read);
 

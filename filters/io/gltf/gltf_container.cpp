@@ -3,15 +3,18 @@
 #include <cctype>
 #include <cstring>
 #include <filesystem>
+#include <set>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_limits.h"
+#include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/inside_folder.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/gltf/gltf_chunks.h"
 #include "filters/io/gltf/gltf_parts.h"
 #include "filters/io/json/json_text.h"
+#include "filters/platform/process.h"
 
 namespace boxprobe {
 
@@ -111,7 +114,16 @@ std::string dataOf(const GltfFile& file, const std::string& uri) {
   return {bytes.begin(), bytes.end()};
 }
 
+/// One name of the file that a URI names, however it is spelt.
+std::string onePath(const GltfFile& file, const std::string& uri) {
+  std::string name = percentDecoded(uri);
+  std::replace(name.begin(), name.end(), '\\', '/');
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(fs::path(file.path).parent_path() / name, ignored), ignored).string();
+}
+
 void readBuffers(GltfFile& file, const GltfText& text, const Chunks* chunks) {
+  std::set<std::string> known;
   for (std::size_t i = 0; i < text.buffers.size(); ++i) {
     const GltfText::Buffer& source = text.buffers[i];
     std::vector<unsigned char>& data = file.gltf.buffers.at(i).data;
@@ -120,6 +132,14 @@ void readBuffers(GltfFile& file, const GltfText& text, const Chunks* chunks) {
     std::unique_ptr<std::string> read;
     const ByteRange* chunk = chunks != nullptr ? &chunks->binary : nullptr;
     const ByteRange range = bufferBytes(file, i, source.uri, chunk, source.byteLength, read);
+    // The bytes of a data URI are the file's own already.
+    if (read && !isDataUri(source.uri)) {
+      if (known.insert(onePath(file, source.uri)).second) {
+        file.ownBytes += read->size();
+      } else {
+        file.count(read->size(), "buffer " + std::to_string(i));
+      }
+    }
     if (range.size > 0) data.assign(range.data, range.data + range.size);
   }
 }
@@ -131,7 +151,26 @@ void GltfFile::fail(const std::string& where, const std::string& reason) const {
 }
 
 void GltfFile::warn(const std::string& warning) {
-  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+  if (warned.insert(warning).second) warnings.push_back(warning);
+}
+
+void GltfFile::count(std::uint64_t bytes, const std::string& where) const {
+  // Of what is not compressed and named once, nothing grows more: an index of 2 bytes may become a corner of 32.
+  constexpr std::uint64_t kGrowth = 16;
+  if (gltfMostBytes() == 0) return;
+  const std::uint64_t most = gltfMostBytes() + kGrowth * ownBytes;
+  if (bytes <= most - countedBytes) {
+    countedBytes += bytes;
+    return;
+  }
+  fail(where, "comes, with all before it, to more than " + gigabytesText(most) + ", the most that the file's " +
+                  std::to_string(ownBytes) +
+                  " bytes may become on this machine; split the file, or let fewer parts share the same data");
+}
+
+std::uint64_t& gltfMostBytes() {
+  static std::uint64_t most = physicalMemoryBytes() / 6;
+  return most;
 }
 
 bool isDataUri(const std::string& uri) {
@@ -172,8 +211,10 @@ ByteRange bufferBytes(const GltfFile& file, std::size_t index, const std::string
                                ": does not exist; check the path"));
     }
     range = {reinterpret_cast<const unsigned char*>(read->data()), read->size()};
-  } else if (chunk != nullptr) {
+  } else if (chunk != nullptr && index == 0) {
     range = *chunk;
+  } else if (chunk != nullptr) {
+    file.fail(place, "has no uri, and only buffer 0 may be the binary chunk; export it again");
   } else {
     file.fail(place, "has no uri; export it again");
   }
@@ -198,6 +239,7 @@ GltfFile openGltf(const std::string& path) {
 
   GltfFile file;
   file.path = path;
+  file.ownBytes = source.bytes.size();
   const GltfText text = prepareGltf(file, source.json());
   tinygltf::TinyGLTF loader;
   std::string error, ignoredWarnings;  // its warnings concern images, which are hidden from it

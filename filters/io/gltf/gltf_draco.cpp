@@ -109,7 +109,7 @@ bool copyAttribute(const draco::PointAttribute& attribute, std::size_t points, i
   }
 }
 
-int indexAccessor(GltfFile& file, const draco::Mesh& mesh) {
+int indexAccessor(GltfFile& file, const draco::Mesh& mesh, const std::string& place) {
   std::vector<unsigned char> bytes(std::size_t(mesh.num_faces()) * 12);
   for (std::uint32_t f = 0; f < mesh.num_faces(); ++f) {
     const draco::Mesh::Face& face = mesh.face(draco::FaceIndex(f));
@@ -117,7 +117,7 @@ int indexAccessor(GltfFile& file, const draco::Mesh& mesh) {
     std::copy_n(reinterpret_cast<const unsigned char*>(corners), 12, bytes.data() + std::size_t(f) * 12);
   }
   return addAccessor(file, std::move(bytes), std::size_t(mesh.num_faces()) * 3, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                     TINYGLTF_TYPE_SCALAR, false);
+                     TINYGLTF_TYPE_SCALAR, false, place);
 }
 
 }  // namespace
@@ -144,9 +144,9 @@ tinygltf::Primitive unpackDraco(GltfFile& file, std::size_t meshIndex, std::size
       file.fail(attributePlace, "is not in the compressed mesh; export it again");
     }
     accessor = addAccessor(file, std::move(values), mesh->num_points(), declared.componentType, declared.type,
-                           declared.normalized);
+                           declared.normalized, attributePlace);
   }
-  primitive.indices = indexAccessor(file, *mesh);
+  primitive.indices = indexAccessor(file, *mesh, place);
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
   return primitive;
 }

@@ -37,6 +37,15 @@ std::vector<Vector> readAttribute(const GltfFile& file, const tinygltf::Primitiv
   return vectors;
 }
 
+template <typename Value>
+std::uint64_t bytesOf(const std::vector<Value>& values) {
+  return values.size() * sizeof(Value);
+}
+std::uint64_t bytesOf(const Mesh& mesh) {
+  return bytesOf(mesh.positions) + bytesOf(mesh.normals) + bytesOf(mesh.tangents) + bytesOf(mesh.uv) +
+         bytesOf(mesh.uv1) + bytesOf(mesh.colors) + bytesOf(mesh.indices);
+}
+
 /// glTF 2.0, section 3.7.2.1: the vertex order of the three modes, all with the winding of the first triangle.
 std::vector<std::uint32_t> triangleList(const std::vector<std::uint32_t>& order, int mode) {
   if (mode == TINYGLTF_MODE_TRIANGLES)
@@ -199,6 +208,7 @@ std::vector<int> readShapedMesh(const GltfMeshReading& reading, std::size_t inde
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     const std::string place = "mesh " + std::to_string(index) + " \"" + name + "\": primitive " + std::to_string(p);
     const AddedAccessors dropped(file);
+    const std::uint64_t before = file.countedBytes;
     const tinygltf::Primitive primitive = unpackDraco(file, index, p, place);
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
     if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -207,6 +217,9 @@ std::vector<int> readShapedMesh(const GltfMeshReading& reading, std::size_t inde
     }
     Mesh mesh = readPrimitive(reading, primitive, mode, shape, place);
     mesh.name = name;
+    // Flat triangles, tangents and small numbers as floats are more than what was read.
+    const std::uint64_t made = bytesOf(mesh), read = file.countedBytes - before;
+    if (made > read) file.count(made - read, place);
     if (mesh.indices.empty()) continue;
     members.push_back(static_cast<int>(result.meshes.size()));
     result.meshes.push_back(std::move(mesh));

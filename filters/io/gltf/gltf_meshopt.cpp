@@ -120,20 +120,27 @@ std::vector<unsigned char> decoded(const GltfFile& file, const Compressed& c, co
 }  // namespace
 
 void unpackMeshopt(GltfFile& file) {
-  for (std::size_t i = 0; i < file.gltf.bufferViews.size(); ++i) {
-    const auto& extensions = file.gltf.bufferViews[i].extensions;
-    const auto found = extensions.find("EXT_meshopt_compression");
-    if (found == extensions.end()) continue;
-    const std::string place = "bufferView " + std::to_string(i) + ": EXT_meshopt_compression";
-    const Compressed compressed = compressedView(file, found->second, place);
-    tinygltf::Buffer buffer;
-    buffer.data = decoded(file, compressed, place);
-    tinygltf::BufferView& view = file.gltf.bufferViews[i];
-    view.buffer = static_cast<int>(file.gltf.buffers.size());
-    view.byteOffset = 0;
-    view.byteLength = buffer.data.size();
-    view.byteStride = compressed.codec == Codec::Attributes ? compressed.stride : 0;
-    file.gltf.buffers.push_back(std::move(buffer));
+  // All are counted before the first is decoded: views may share their compressed bytes.
+  for (const bool counted : {false, true}) {
+    for (std::size_t i = 0; i < file.gltf.bufferViews.size(); ++i) {
+      const auto& extensions = file.gltf.bufferViews[i].extensions;
+      const auto found = extensions.find("EXT_meshopt_compression");
+      if (found == extensions.end()) continue;
+      const std::string place = "bufferView " + std::to_string(i) + ": EXT_meshopt_compression";
+      const Compressed compressed = compressedView(file, found->second, place);
+      if (!counted) {
+        file.count(compressed.count * compressed.stride, place);
+        continue;
+      }
+      tinygltf::Buffer buffer;
+      buffer.data = decoded(file, compressed, place);
+      tinygltf::BufferView& view = file.gltf.bufferViews[i];
+      view.buffer = static_cast<int>(file.gltf.buffers.size());
+      view.byteOffset = 0;
+      view.byteLength = buffer.data.size();
+      view.byteStride = compressed.codec == Codec::Attributes ? compressed.stride : 0;
+      file.gltf.buffers.push_back(std::move(buffer));
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
@@ -99,6 +100,7 @@ class NodeReader {
     }
     const tinygltf::Skin& skin = file_.gltf.skins[static_cast<std::size_t>(index)];
     const std::string skinPlace = "skin " + std::to_string(index);
+    file_.count(skin.joints.size() * sizeof(glm::dmat4), place + ": " + skinPlace);  // each node keeps its own
     std::vector<float> inverse;
     if (skin.inverseBindMatrices >= 0) {
       inverse = readFloats(file_, skin.inverseBindMatrices, 16, skinPlace + ": inverseBindMatrices");
@@ -171,11 +173,8 @@ class NodeReader {
     Camera camera = readCamera(file_, node.camera, worldFromNode, where);
     if (!node.name.empty()) camera.name = node.name;
     const std::string stem = camera.name;
-    const auto taken = [&] {
-      return std::any_of(nodes_.cameras.begin(), nodes_.cameras.end(),
-                         [&](const Camera& c) { return c.name == camera.name; });
-    };
-    for (int copy = 2; taken(); ++copy) camera.name = stem + " " + std::to_string(copy);
+    int& copy = nextCopy_.try_emplace(stem, 2).first->second;
+    while (!cameraNames_.insert(camera.name).second) camera.name = stem + " " + std::to_string(copy++);
     nodes_.cameras.push_back(camera);
     const tinygltf::Camera& source = file_.gltf.cameras[static_cast<std::size_t>(node.camera)];
     const bool parallel = source.type == "orthographic";
@@ -202,6 +201,8 @@ class NodeReader {
   std::map<std::size_t, GltfShape> shapes_;  ///< by node: those not in the rest pose
   std::map<std::pair<std::size_t, std::vector<double>>, std::vector<int>> morphed_;
   std::map<int, int> mirrored_;
+  std::set<std::string> cameraNames_;
+  std::map<std::string, int> nextCopy_;  ///< of cameras of one name
   GltfMeshes meshes_;
   GltfNodes nodes_;
 };

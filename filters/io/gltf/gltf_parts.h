@@ -32,13 +32,23 @@ struct GltfFile {
   /// Accessors of the indices of Draco-compressed primitives, by mesh and primitive.
   std::map<std::pair<std::size_t, std::size_t>, int> dracoIndices;
   std::vector<std::string> warnings;
-  std::size_t shapedPositions = 0;  ///< read so far, for all shapes
+  std::set<std::string> warned;            ///< the same warnings, to find them
+  std::size_t shapedPositions = 0;         ///< read so far, for all shapes
+  std::uint64_t ownBytes = 0;              ///< of the file and of those beside it, each once
+  mutable std::uint64_t countedBytes = 0;  ///< see count()
 
   /// Throws InputError: "building.glb: accessor 3: reason".
   [[noreturn]] void fail(const std::string& where, const std::string& reason) const;
   /// Adds a warning once.
   void warn(const std::string& warning);
+  /// Called for all bytes that are read or made from the file's own: a few of its bytes may unpack to many, and be
+  /// named any number of times, which no limit on a single use bounds. Throws InputError beyond gltfMostBytes().
+  void count(std::uint64_t bytes, const std::string& where) const;
 };
+
+/// What even the smallest file may come to. At first a sixth of the machine's memory, as its pictures (image_pool.h);
+/// 0: no limit. Tests lower it.
+std::uint64_t& gltfMostBytes();
 
 /// Reads the file and the buffers it refers to, all from its own folder. Throws for unknown versions and unsupported
 /// required extensions.
@@ -86,9 +96,9 @@ class AddedAccessors {
   std::size_t accessors_, views_, buffers_;
 };
 
-/// Adds a buffer, a view and an accessor for these bytes; returns the accessor's index.
+/// Adds a buffer, a view and an accessor for these bytes, which are counted; returns the accessor's index.
 int addAccessor(GltfFile& file, std::vector<unsigned char> bytes, std::size_t count, int componentType, int type,
-                bool normalized);
+                bool normalized, const std::string& where);
 
 /// A range of a buffer, checked to lie inside it.
 struct ByteRange {

@@ -1,6 +1,7 @@
 // Prepares the JSON of a glTF file for tinygltf; see GltfText. Nothing has validated the file before, so every member
 // is checked.
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
@@ -47,6 +48,22 @@ std::vector<std::string> names(GltfJson& root, const char* key) {
     if (name->is_string()) list.push_back(name->get<std::string>());
   }
   return list;
+}
+
+/// Adds the names of all extensions that stand anywhere in `value`, whether extensionsUsed has them or not.
+void addNamesWithin(const GltfJson& value, std::set<std::string>& found) {
+  if (value.is_array()) {
+    for (const GltfJson& element : value) addNamesWithin(element, found);
+  }
+  if (!value.is_object()) return;
+  for (const auto& [key, within] : value.items()) {
+    // Extras hold anything; textures of unknown formats are named where a material misses them.
+    if (key == "extras" || key == "textures") continue;
+    if (key == "extensions" && within.is_object()) {
+      for (const auto& [name, ignored] : within.items()) found.insert(name);
+    }
+    addNamesWithin(within, found);
+  }
 }
 
 void checkVersion(const GltfFile& file, GltfJson& root) {
@@ -130,7 +147,11 @@ GltfText prepareGltf(GltfFile& file, const std::string& json) {
   try {
     GltfJson root = GltfJson::parse(json);
     checkVersion(file, root);
-    checkExtensions(file, names(root, "extensionsRequired"), names(root, "extensionsUsed"));
+    std::vector<std::string> used = names(root, "extensionsUsed");
+    std::set<std::string> found;
+    addNamesWithin(root, found);
+    used.insert(used.end(), found.begin(), found.end());
+    checkExtensions(file, names(root, "extensionsRequired"), used);
     restoreMaterials(file, root);
     takeBuffers(file, root, text);
     takeImages(file, root);

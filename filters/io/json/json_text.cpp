@@ -2,7 +2,7 @@
 // text, records where each key and element starts, which the library does not report.
 #include "filters/io/json/json_text.h"
 
-#include <set>
+#include <charconv>
 #include <vector>
 
 #include "filters/core/base/errors.h"
@@ -115,16 +115,15 @@ class PlaceScanner {
       if (c == '"') {
         string();
       } else if (c == '{' || c == '[') {
-        startValue(position_);
-        levels_.push_back({c == '{', 0, {}, {}});
+        PlacedValue* value = startValue(position_);
+        inValue_ = false;
+        levels_.push_back({value, c == '{', {}});
       } else if (c == '}' || c == ']') {
         levels_.pop_back();
         inValue_ = false;
       } else if (c == ',') {
         inValue_ = false;
-        ++levels_.back().index;
-        levels_.back().key.clear();
-        levels_.back().haveKey = false;
+        levels_.back().member = nullptr;
       } else if (c != ' ' && c != '\t' && c != '\n' && c != '\r' && c != ':') {
         startValue(position_);  // the first character of a number or word
       }
@@ -133,11 +132,9 @@ class PlaceScanner {
 
  private:
   struct Level {
+    PlacedValue* value = nullptr;
     bool object = false;
-    std::size_t index = 0;
-    std::string key;
-    std::set<std::string> keys;
-    bool haveKey = false;
+    PlacedValue* member = nullptr;  ///< its key has been read
   };
 
   /// Offsets only grow, so each scan starts at the previous position: a megabyte on one line stays cheap.
@@ -153,24 +150,14 @@ class PlaceScanner {
     return place_;
   }
 
-  std::string pointer() const {
-    Json::json_pointer pointer;
-    for (const Level& level : levels_) {
-      if (level.object) {
-        pointer.push_back(level.key);
-      } else {
-        pointer /= level.index;
-      }
-    }
-    return pointer.to_string();
-  }
-
-  void startValue(std::size_t offset) {
-    if (inValue_) return;
+  /// What begins here: the root, a member whose key has been read, or the next element. Null within a value.
+  PlacedValue* startValue(std::size_t offset) {
+    if (inValue_) return nullptr;
     inValue_ = true;
-    const bool member = !levels_.empty() && levels_.back().object;
-    if (!member) result_.places[pointer()] = here(offset);  // a member's place is that of its key
-    if (text_[offset] == '{' || text_[offset] == '[') inValue_ = false;
+    if (!levels_.empty() && levels_.back().object) return levels_.back().member;
+    PlacedValue& value = levels_.empty() ? result_.places : levels_.back().value->elements.emplace_back();
+    value.place = here(offset);
+    return &value;
   }
 
   void string() {
@@ -178,18 +165,19 @@ class PlaceScanner {
     for (++position_; text_[position_] != '"'; ++position_) {
       if (text_[position_] == '\\') ++position_;
     }
-    if (levels_.empty() || !levels_.back().object || levels_.back().haveKey) {
+    if (levels_.empty() || !levels_.back().object || levels_.back().member != nullptr) {
       startValue(start);
       return;
     }
     Level& level = levels_.back();
-    level.key = Json::parse(text_.substr(start, position_ + 1 - start)).get<std::string>();  // decodes escapes
-    level.haveKey = true;
-    if (!level.keys.insert(level.key).second) {
-      throw InputError(at(result_.name, here(start)) + "the key \"" + oneLine(level.key) +
+    const auto key = Json::parse(text_.substr(start, position_ + 1 - start)).get<std::string>();  // decodes escapes
+    const auto [member, added] = level.value->members.try_emplace(key);
+    if (!added) {
+      throw InputError(at(result_.name, here(start)) + "the key \"" + oneLine(key) +
                        "\" stands here a second time; remove one");
     }
-    result_.places[pointer()] = here(start);
+    member->second.place = here(start);
+    level.member = &member->second;
   }
 
   const std::string& text_;
@@ -237,12 +225,22 @@ void write(std::string& out, const Json& value, std::size_t indent, std::size_t 
 }  // namespace
 
 std::string JsonText::placeText(const Json::json_pointer& pointer) const {
-  for (Json::json_pointer p = pointer;; p = p.parent_pointer()) {
-    if (const auto found = places.find(p.to_string()); found != places.end() && found->second.line > 0) {
-      return name + ":" + std::to_string(found->second.line) + ":" + std::to_string(found->second.column);
+  std::vector<std::string> keys;
+  for (Json::json_pointer p = pointer; !p.empty(); p.pop_back()) keys.push_back(p.back());
+  const PlacedValue* value = &places;
+  for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+    const PlacedValue* next = nullptr;
+    if (const auto member = value->members.find(*key); member != value->members.end()) {
+      next = &member->second;
+    } else if (std::size_t index = 0; !value->elements.empty()) {
+      const auto read = std::from_chars(key->data(), key->data() + key->size(), index);
+      if (read.ec == std::errc() && index < value->elements.size()) next = &value->elements[index];
     }
-    if (p.empty()) return name;
+    if (next == nullptr) break;
+    value = next;
   }
+  if (value->place.line == 0) return name;
+  return name + ":" + std::to_string(value->place.line) + ":" + std::to_string(value->place.column);
 }
 
 void checkJsonSyntax(const std::string& text, const std::string& name, std::size_t mostEntries) {

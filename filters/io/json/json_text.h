@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace boxprobe {
 
@@ -15,10 +16,17 @@ struct TextPlace {
   std::size_t column = 0;
 };
 
+/// Where a value stands, and what is in it. A tree, for the paths of a list's elements all begin with the same keys.
+struct PlacedValue {
+  TextPlace place;  ///< of its key, if it has one
+  std::vector<PlacedValue> elements;
+  std::map<std::string, PlacedValue> members;
+};
+
 struct JsonText {
   std::string name;  ///< of the file, for messages
   Json root;
-  std::map<std::string, TextPlace> places;  ///< by JSON pointer ("/probes/0/box"): where the key or element starts
+  PlacedValue places;  ///< of the root
 
   /// "scene.json:12:9", for the value or its nearest ancestor with a known position.
   std::string placeText(const Json::json_pointer& pointer) const;

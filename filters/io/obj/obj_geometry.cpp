@@ -99,6 +99,9 @@ class GeometryReader {
     } else if (key == "s") {
       takeSmoothing(nextObjValue(line));
     } else if (key == "mtllib") {
+      if (result_.libraries.size() == limits::kEntries) {
+        fail("more than " + std::to_string(limits::kEntries) + " lines name material files; leave some out");
+      }
       result_.libraries.emplace_back(lines_.number(), std::string(trimmedText(line)));
     } else if (leftOut_.size() < kMostKeys || leftOut_.count(key) > 0) {
       ++leftOut_[key];

@@ -189,10 +189,7 @@ PathScene::PathScene(TriangleScene scene)
     rtcReleaseGeometry(geometry);
   }
   rtcCommitScene(s.scene);
-  if (const RTCError error = rtcGetDeviceError(s.device); error != RTC_ERROR_NONE) {
-    throw WorkError("the ray tracer (Embree) cannot take the scene, error " + std::to_string(error) +
-                    (error == RTC_ERROR_OUT_OF_MEMORY ? ": not enough memory" : ""));
-  }
+  checkCommitted(s.device, "the scene");
 }
 
 PathScene::~PathScene() = default;

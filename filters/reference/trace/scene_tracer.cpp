@@ -160,10 +160,7 @@ SceneTracer::SceneTracer(TriangleScene scene) : scene_(std::move(scene)), struct
   }
   rtcCommitScene(s.picture);
   rtcCommitScene(s.probes);
-  if (const RTCError error = rtcGetDeviceError(s.device); error != RTC_ERROR_NONE) {
-    throw WorkError("the ray tracer (Embree) cannot take the scene, error " + std::to_string(error) +
-                    (error == RTC_ERROR_OUT_OF_MEMORY ? ": not enough memory" : ""));
-  }
+  checkCommitted(s.device, "the scene");
 }
 
 SceneTracer::~SceneTracer() = default;

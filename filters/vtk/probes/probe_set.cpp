@@ -97,6 +97,7 @@ void ProbeSet::setEnabled(bool enabled) {
   if (plan_.enabled() == enabled) return;
   plan_.setEnabled(enabled);
   binder_.assign();
+  updateKeys();  // of a scene that came while no object had a probe
   baker_.replan();
 }
 
