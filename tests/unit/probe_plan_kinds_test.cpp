@@ -83,6 +83,27 @@ TEST_F(PlannedFiles, AFileIsReadInPlaceOfAllBouncesOfItsProbe) {
               ElementsAre("file", "bounce:left1", "bounce:right1", "bounce:left2", "bounce:right2", "bounce:left3"));
 }
 
+TEST_F(PlannedFiles, OnePictureOfSeveralProbesIsReadOnce) {
+  saveExr(file("sky.exr"), ImageRgbaF{16, 8, std::vector<float>(4 * 16 * 8, 0.25f)});
+  TwoProbes world(1);
+  for (Probe& probe : world.scene.probes) {
+    probe.mode = ProbeMode::Custom;
+    probe.image = file("sky.exr");
+  }
+  world.scene.probes[1].imageRotationDegrees = 30.0;
+  CustomPictures pictures;
+  pictures.update(world.scene);
+  EXPECT_NE(pictures.picture("left"), pictures.picture("right")) << "turned, it is another one";
+  world.scene.probes[1].imageRotationDegrees = 0.0;
+  CustomPictures equal;
+  equal.update(world.scene);
+  ASSERT_NE(equal.picture("left"), nullptr);
+  EXPECT_EQ(equal.picture("left"), equal.picture("right"));
+  equal.forget("right");
+  equal.update(world.scene);
+  EXPECT_NE(equal.picture("left"), equal.picture("right")) << "asked for anew: the file may have changed";
+}
+
 TEST_F(PlannedFiles, APictureIsFilteredAtItsOwnSize) {
   const int width = 256;
   const ImageRgbaF picture{width, width / 2, std::vector<float>(static_cast<std::size_t>(width * width * 2), 0.5f)};

@@ -1,5 +1,7 @@
 #include "filters/vtk/probes/custom_pictures.h"
 
+#include <algorithm>
+
 #include "filters/core/base/errors.h"
 #include "filters/vtk/probes/capture_key.h"
 
@@ -7,6 +9,7 @@ namespace boxprobe {
 
 void CustomPictures::update(const Scene& scene) {
   error_.clear();
+  std::vector<const Picture*> readNow;  // other probes may name the same
   for (const Probe& probe : scene.probes) {
     if (probe.mode != ProbeMode::Custom) continue;
     const std::string place = "probes." + probe.name + ".image: ";
@@ -21,9 +24,16 @@ void CustomPictures::update(const Scene& scene) {
       picture.error.clear();
       try {
         if (probe.image.empty()) throw InputError("mode custom needs the path of a picture");
-        LoadedCube loaded = loadCustomCube(probe);
-        picture.repairs = std::move(loaded.repairs);
-        picture.cube = std::make_shared<const CubeMap>(std::move(loaded.radiance));
+        const auto same = std::find_if(readNow.begin(), readNow.end(), [&](auto* read) { return read->isOf(probe); });
+        if (same != readNow.end()) {
+          picture.repairs = (*same)->repairs;
+          picture.cube = (*same)->cube;
+        } else {
+          LoadedCube loaded = loadCustomCube(probe);
+          picture.repairs = std::move(loaded.repairs);
+          picture.cube = std::make_shared<const CubeMap>(std::move(loaded.radiance));
+          readNow.push_back(&picture);
+        }
         picture.key.clear();
       } catch (const InputError& error) {
         picture.error = place + error.what();
