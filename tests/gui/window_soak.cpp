@@ -113,6 +113,7 @@ class WindowSoak : public LessonWindowTest {
     }));
     EXPECT_TRUE(waitFor([&] { return window_->liveLink().revision() > revision; }));
     refinement.setRest(kNeverMilliseconds);
+    refinement.setEnabled(false);  // to its end it takes minutes
     refinement.setEnabled(enabled);
     waitUntilIdle();
   }
