@@ -1,9 +1,11 @@
 // Open, save, drop, close: what is written reads back, and nothing is lost unasked.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
@@ -14,6 +16,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/gui/view/viewport.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/model_fitter.h"
 #include "filters/io/image/image_file.h"
@@ -216,6 +219,14 @@ TEST_F(FileTest, ADroppedPictureIsTheSkyAndABrokenOneChangesNothing) {
   EXPECT_TRUE(document().scene() == before);
 }
 
+TEST_F(FileTest, KeysAreForThePictureOnceASceneIsOpened) {
+  const QString path = inFolder("other.boxprobe.json");
+  saveSceneFile(scene().scene, path.toStdString());
+  window_->findChild<QLineEdit*>("outlinerFilter")->setFocus();
+  ASSERT_TRUE(window_->files().openPath(path));
+  EXPECT_EQ(QApplication::focusWidget(), &window_->viewport());
+}
+
 TEST_F(FileTest, AFileThatChangesOnDiskIsReadAgainUnlessThereAreChanges) {
   const QString path = inFolder("mine.boxprobe.json");
   // The X server may tell only now that the dialog of the test before has lost the focus; see key().
@@ -234,8 +245,12 @@ TEST_F(FileTest, AFileThatChangesOnDiskIsReadAgainUnlessThereAreChanges) {
   };
   key(Qt::Key_P);
   const Camera view = window_->renderer().currentCamera();
+  auto* typing = window_->findChild<QLineEdit*>("outlinerFilter");
+  typing->setFocus();
   writeOther(1.25);
   EXPECT_TRUE(QTest::qWaitFor([this] { return probe().box.max.x == 1.25; }, 120000)) << "read again";
+  EXPECT_EQ(QApplication::focusWidget(), typing) << "nobody asked for it";
+  window_->viewport().setFocus();
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_NEAR(window_->renderer().currentCamera().position.y, view.position.y, 1e-9) << "the view stays";
   edit();

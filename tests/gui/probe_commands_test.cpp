@@ -19,7 +19,6 @@
 #include "app/gui/panels/outliner.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/probe_clipboard.h"
-#include "filters/fit/rays/triangle_rays.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/widgets/handle_drag.h"
 #include "tests/gui/window_test.h"
@@ -71,7 +70,7 @@ TEST_F(ProbeCommandsTest, AddFitsAProbeToTheSceneWhereTheCameraLooks) {
   EXPECT_FALSE(document().canUndo());
 }
 
-// The target lies below the floor.
+// The target lies below the floor, which is at 0; before it nothing stands in the way.
 TEST_F(ProbeCommandsTest, AnAddedProbeStandsInTheOpen) {
   Camera camera = window_->renderer().currentCamera();
   camera.target = camera.position + 3.0 * (glm::dvec3(camera.target.x, -2.0, camera.target.z) - camera.position);
@@ -80,11 +79,7 @@ TEST_F(ProbeCommandsTest, AnAddedProbeStandsInTheOpen) {
   window_->findChild<ProbeCommands*>()->addProbe();
   const glm::dvec3 way = probe(1).origin - camera.position, along = glm::normalize(camera.target - camera.position);
   EXPECT_NEAR(glm::dot(way, along), glm::length(way), 1e-9) << "on the way to the target";
-  const LoadedScene same = scene();
-  const auto hit = TriangleRays(same.scene, same.models).first(camera.position, along);
-  ASSERT_TRUE(hit);
-  EXPECT_NEAR(glm::length(way), 0.5 * hit->distance, 1e-9);
-  EXPECT_GT(probe(1).origin.y, 0.1) << "above the floor";
+  EXPECT_NEAR(probe(1).origin.y, 0.5 * camera.position.y, 1e-4) << "half way to the floor";
 }
 
 TEST_F(ProbeCommandsTest, DuplicateCopiesEverythingButTheNameALittleAside) {

@@ -63,7 +63,7 @@ const SurfaceRays* SceneSurfaces::traced(Traced& of, const std::set<std::string>
     try {
       of.rays = std::make_unique<TriangleRays>(document_.scene(), models_, SeenBy::Eyes,
                                                std::vector<std::string>(hidden.begin(), hidden.end()));
-    } catch (const Error&) {
+    } catch (const std::exception&) {  // too little memory, too
       of.failed = true;
     }
   }

@@ -37,7 +37,7 @@ class ViewCommands : public QObject {
   /// Other models are shown: a view of those before is none of these.
   void forgetView();
   void setWalking(bool on);
-  /// What was said of a view that is no more.
+  /// Takes back what was said of a view that is gone.
   void forgetHint();
 
   /// The view as it is now, as the scene's last camera; a name that is taken gets a number.

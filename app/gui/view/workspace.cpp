@@ -156,7 +156,6 @@ void Workspace::showScene(LoadedScene loaded) {
   emit opened(loaded);
   picture_->resetCamera();
   document_.selectProbe(probeNearest(document_.scene().probes, renderer_->currentCamera().position));
-  viewport_->setFocus();  // keys are for the picture, not for the first field there is
 }
 
 void Workspace::showModels(const Models& models, const std::string& path) {

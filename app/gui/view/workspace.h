@@ -1,5 +1,5 @@
 // What the parts of the window share: the document and its edits, the picture, the models on show, what a user can do.
-// Each part is given the workspace, connects itself to what it observes, and knows no other part.
+// Each part is given the workspace and connects itself to what it observes.
 #pragma once
 
 #include <vtkSmartPointer.h>

@@ -193,6 +193,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     const std::string digest = loaded.fileDigest;
     const QString decided = loaded.fit ? phraseWords(loaded.fit->decided) : QString();
     workspace_.showScene(std::move(loaded));
+    workspace_.viewport().setFocus();  // keys are for the picture, not for the first field there is
     assignments_ = assignments;
     remember(path, digest);
     emit message(warning.isEmpty() ? (decided.isEmpty() ? tr("Opened %1").arg(path) : decided)

@@ -116,6 +116,7 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   if (!scenePath.empty()) {
     const std::string digest = loaded.fileDigest;
     window.showScene(std::move(loaded));
+    window.viewport().setFocus();
     window.files().remember(QString::fromStdString(scenePath), digest);
   }
   window.lessons().setLanguage(options.language);

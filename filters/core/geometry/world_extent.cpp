@@ -51,7 +51,7 @@ struct BoundedTriangle {
   const Instance* instance = nullptr;
 };
 
-/// One of `stride` triangles, of those that have an area: no ray hits the others.
+/// One in `stride` triangles, without those that have no area: no ray hits them.
 std::vector<BoundedTriangle> sampledTriangles(const Scene& scene,
                                               const std::vector<std::shared_ptr<const Model>>& models,
                                               std::size_t stride) {

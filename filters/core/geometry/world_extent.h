@@ -13,9 +13,8 @@ namespace boxprobe {
 
 /// Throws InputError naming the node and its model's file
 /// - where a corner of a mesh's bounds lies beyond limits::kWorldCoordinate or is not finite after all transforms;
-/// - where about limits::kTrianglesInOnePlace triangles overlap. 64 places are looked at, and triangles are counted
-/// whose
-///   bounds hold them: of more than 65,536, a sample.
+/// - where more than about limits::kTrianglesInOnePlace triangles overlap: at the fullest of 64 places, by the
+///   triangles' bounds, and of more than 65,536 triangles by a sample.
 /// `models` in the order of scene.models.
 void checkGeometry(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 

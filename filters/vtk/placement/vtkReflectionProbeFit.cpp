@@ -222,8 +222,8 @@ bool vtkReflectionProbeFit::Fit(vtkReflectionProbe* probe) {
     fitted.name = name;
     probe->FromProbe(fitted);
     return true;
-  } catch (const boxprobe::Error& failure) {
-    vtkErrorMacro(<< failure.what());
+  } catch (const std::exception& failure) {
+    vtkErrorMacro(<< boxprobe::messageOf(failure));
     return false;
   }
 }
@@ -274,8 +274,8 @@ int vtkReflectionProbeFit::Place(int most) {
       probes->AddProbe(probe);
     }
     return static_cast<int>(placed->probes.size());
-  } catch (const boxprobe::Error& failure) {
-    vtkErrorMacro(<< failure.what());
+  } catch (const std::exception& failure) {
+    vtkErrorMacro(<< boxprobe::messageOf(failure));
     return -1;
   }
 }
