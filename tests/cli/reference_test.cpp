@@ -155,6 +155,23 @@ TEST_F(Reference, WritesDisplayColoursToPng) {
   EXPECT_EQ(*std::max_element(image.pixels.begin(), image.pixels.end()), 255);
 }
 
+TEST_F(Reference, OneRayTellsNoError) {
+  render("reference-scene", "out.exr", DisplayKind::Unset, {"--rays", "1", "--json"});
+  EXPECT_TRUE(nlohmann::json::parse(outcome.out)["reference"].at("standardErrorRms").is_null());
+  render("reference-path", "out.exr", DisplayKind::Unset, {"--rays", "1"});
+  EXPECT_THAT(outcome.out, HasSubstr("standard error unknown from one ray"));
+}
+
+TEST_F(Reference, RefusesANameThatIsTooLongBeforeItTraces) {
+  outcome = runProgram({"render", demoScene("room"), "-o", folder.path(std::string(256, 'n') + ".png"), "--technique",
+                        "reference-path", "--rays", "16384"},
+                       DisplayKind::Unset);
+  EXPECT_EQ(outcome.exitStatus, 2) << outcome.err;
+  ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("choose a shorter one"));
+  EXPECT_THAT(folder.names(), SizeIs(0));
+}
+
 TEST_F(Reference, RefusesWhatItHasNoUseFor) {
   expectRefused({"--rays", "64"}, "--rays 64 is for --technique");
   expectRefused({"--full"}, "--full is for --technique");

@@ -74,6 +74,11 @@ TEST(OutlinerModel, ProbesStandInGroupsByRoom) {
       "  den c\n  7\n  /x\n");
   EXPECT_EQ(model.namesUnder(model.probe(1).parent(), Part::Probe), (Names{"room 1 a", "room 1 b"}));
   EXPECT_EQ(model.name(model.probe(5)), "hall 2");
+  const auto shown = [&](std::size_t probe) { return model.data(model.probe(probe), Qt::DisplayRole).toString(); };
+  EXPECT_EQ(shown(2), "mirror") << "\"bath\" stands above it";
+  EXPECT_EQ(model.data(model.probe(2), Qt::EditRole).toString(), "bath/mirror");
+  EXPECT_EQ(shown(1), "room 1 a");
+  EXPECT_EQ(shown(8), "/x");
   model.show(bare, "ROOM 1");
   EXPECT_EQ(text(model), "#0\n  room 1\n    room 1 a\n    room 1 b\n");
   EXPECT_FALSE(model.probe(5).isValid());

@@ -108,6 +108,35 @@ TEST_F(ProbeGaugeTest, MeasuresElsewhereAndTheNewestOnly) {
   window_->editor().cancel();
 }
 
+/// Counts how often a widget was greyed.
+class Greyed : public QObject {
+ public:
+  explicit Greyed(QWidget* widget) : widget_(widget) { widget->installEventFilter(this); }
+  int times() const { return times_; }
+
+ protected:
+  bool eventFilter(QObject* of, QEvent* event) override {
+    if (of == widget_ && event->type() == QEvent::EnabledChange && !widget_->isEnabled()) ++times_;
+    return false;
+  }
+
+ private:
+  QWidget* widget_;
+  int times_ = 0;
+};
+
+TEST_F(ProbeGaugeTest, NumbersOlderThanTheBoxAreGrey) {
+  auto* shownMean = find<QLabel>("gaugeMean");
+  const Greyed greyed(shownMean);
+  ASSERT_TRUE(shownMean->isEnabled());
+  window_->editor().commitProbe("Set box", [](Probe& probe) { probe.box.max.x += 0.7; });
+  EXPECT_TRUE(shownMean->isEnabled()) << "the next number is awaited first";
+  QTest::qSleep(600);  // the window is busy: that number is late
+  ASSERT_TRUE(measured());
+  EXPECT_EQ(greyed.times(), 1);
+  EXPECT_TRUE(shownMean->isEnabled());
+}
+
 TEST_F(ProbeGaugeTest, AClickOnTheMarkInThePanelSnapsTheFace) {
   moveFaceBy(1.5);
   const double wrong = mean();

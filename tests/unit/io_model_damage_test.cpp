@@ -264,8 +264,8 @@ TEST_F(ModelDamage, ManyDifferentWarningsAreEachAddedOnce) {
 /// Small files that name the same bytes many times, or bytes that unpack to many: no single use is beyond a limit.
 class RepeatedData : public ModelDamage {
  protected:
-  RepeatedData() { gltfMostBytes() = 1 << 20; }
-  ~RepeatedData() override { gltfMostBytes() = usual_; }
+  RepeatedData() { readBudgetBytes() = 1 << 20; }
+  ~RepeatedData() override { readBudgetBytes() = usual_; }
   void expectTooMuch(const std::string& text, const std::string& place) const {
     EXPECT_EQ(text.rfind(place, 0), 0u) << text;
     EXPECT_NE(text.find(": comes, with all before it, to more than 0.00"), std::string::npos) << text;
@@ -276,7 +276,7 @@ class RepeatedData : public ModelDamage {
   static Json::array_t copies(std::size_t count, const Json& of) { return Json::array_t(count, of); }
 
  private:
-  const std::uint64_t usual_ = gltfMostBytes();
+  const std::uint64_t usual_ = readBudgetBytes();
 };
 
 TEST_F(RepeatedData, OfPrimitivesThatSharePositions) {
@@ -291,16 +291,60 @@ TEST_F(RepeatedData, OfPrimitivesThatShareAnAccessorWithoutBytes) {
   const auto zeros = [](std::size_t primitives) {
     return [primitives](GlbBuilder& g) {
       const int many = g.accessor(-1, GlbBuilder::Float, "VEC3", 1 << 16);
-      g.json["meshes"][0]["primitives"] = copies(primitives, {{"attributes", {{"POSITION", many}}}, {"indices", 0}});
+      const int half = g.accessor(-1, GlbBuilder::UShort, "SCALAR", 1 << 15);
+      g.json["meshes"][0]["primitives"] = copies(primitives, {{"attributes", {{"POSITION", many}}}, {"indices", half}});
     };
   };
   expectTooMuch(problem(zeros(20)), "mesh 0 \"mesh0\": primitive 1: POSITION: accessor 2: comes");
-  gltfMostBytes() = 0;  // no limit
+  readBudgetBytes() = 0;  // no limit
   GlbBuilder glb;
   glb.accessor(glb.view(std::vector<std::uint16_t>{0, 1, 2, 0}), GlbBuilder::UShort, "SCALAR", 3);
   glb.triangle();
-  zeros(20)(glb);
-  EXPECT_EQ(loadModelFile(write("m.glb", glb.glb())).triangleCount(), 20u);
+  zeros(1)(glb);
+  EXPECT_EQ(loadModelFile(write("m.glb", glb.glb())).triangleCount(), (1u << 15) / 3);
+}
+
+/// Each of them reads its own vertices, not all.
+TEST_F(RepeatedData, PrimitivesThatUseFewOfManyVerticesAreRead) {
+  constexpr std::size_t kVertices = 1 << 14, kPrimitives = 500;
+  const auto vertex = [](std::size_t i) {
+    const auto x = static_cast<float>(i);
+    return glm::vec3(x, 2.0f * x + 1.0f, 0.5f * x - 3.0f);
+  };
+  std::vector<float> positions, normals, uv;
+  for (std::size_t i = 0; i < kVertices; ++i) {
+    const glm::vec3 p = vertex(i), n = glm::normalize(p + glm::vec3(0.0f, 5.0f, 0.0f));
+    positions.insert(positions.end(), {p.x, p.y, p.z});
+    normals.insert(normals.end(), {n.x, n.y, n.z});
+    uv.insert(uv.end(), {p.x / 7.0f, p.y});
+  }
+  GlbBuilder glb;
+  glb.triangle();
+  const Json attributes = {{"POSITION", glb.floats("VEC3", 3, positions)},
+                           {"NORMAL", glb.floats("VEC3", 3, normals)},
+                           {"TEXCOORD_0", glb.floats("VEC2", 2, uv)}};
+  const std::uint32_t first = 7, second = 4, third = 9;  // of primitive 0, and not in order
+  Json primitives = Json::array();
+  for (std::uint32_t p = 0; p < kPrimitives; ++p) {
+    const std::vector<std::uint32_t> corners = {first + 13 * p, second + 13 * p, third + 13 * p};
+    const int indices = glb.accessor(glb.view(corners), GlbBuilder::UInt, "SCALAR", 3);
+    primitives.push_back({{"attributes", attributes}, {"indices", indices}});
+  }
+  glb.json["meshes"][0]["primitives"] = primitives;
+  const Model model = loadModelFile(write("m.glb", glb.glb()));
+  ASSERT_EQ(model.meshes.size(), kPrimitives);
+  for (std::size_t p = 0; p < kPrimitives; ++p) {
+    const Mesh& mesh = model.meshes[p];
+    ASSERT_EQ(mesh.positions.size(), 3u);
+    ASSERT_EQ(mesh.indices.size(), 3u);
+    const std::uint32_t corners[] = {first, second, third};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t from = corners[c] + 13 * p;
+      EXPECT_EQ(mesh.positions[mesh.indices[c]], vertex(from));
+      EXPECT_EQ(mesh.uv[mesh.indices[c]], glm::vec2(uv[2 * from], uv[2 * from + 1]));
+      EXPECT_NEAR(mesh.normals[mesh.indices[c]].z, normals[3 * from + 2], 1e-6f);
+    }
+  }
 }
 
 TEST_F(RepeatedData, OfMorphTargets) {
@@ -370,7 +414,7 @@ TEST_F(RepeatedData, OfBuffersOfOneFile) {
 
 /// Whatever the machine's memory is.
 TEST_F(RepeatedData, FilesThatNameTheirBytesOnceAreRead) {
-  gltfMostBytes() = 1;
+  readBudgetBytes() = 1;
   const std::string models = BOXPROBE_SOURCE_DIR "/tests/unit/models/";
   for (const char* name : {"bar.glb", "tori-instanced.glb", "tori.glb", "torus-meshopt.glb", "torus-quantized.glb",
                            "torus-variants.glb", "torus-webp.glb", "torus.glb"}) {

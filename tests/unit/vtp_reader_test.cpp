@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "filters/io/files/read_budget.h"
 #include "filters/vtk/import/model_reader.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
@@ -129,6 +131,30 @@ TEST_F(VtpReader, DamageIsSaidAndCostsNothing) {
   EXPECT_GT(refused, kTries / 4);
   for (std::size_t length = 0; length + 60 < whole.size(); length += 97)
     EXPECT_NE(refusal(whole.substr(0, length)), "");
+}
+
+TEST_F(VtpReader, PiecesThatShareTheirBytesCountEachTime) {
+  vtkNew<vtkPolyData> data;
+  fill(data, 60);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file("w.vtp").c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  ASSERT_EQ(writer->Write(), 1);
+  const std::string whole = read("w.vtp"), close = "</Piece>";
+  const std::size_t begin = whole.find("<Piece"), end = whole.find(close) + close.size();
+  const auto withPieces = [&](int count) {
+    std::string text = whole.substr(0, begin);
+    for (int i = 0; i < count; ++i) text += whole.substr(begin, end - begin);
+    return text + whole.substr(end);
+  };
+  const std::uint64_t usual = std::exchange(readBudgetBytes(), 1);
+  EXPECT_EQ(refusal(withPieces(1)), "");
+  const std::string problem = refusal(withPieces(300));
+  readBudgetBytes() = usual;
+  EXPECT_NE(problem.find("comes, with all before it, to more than"), std::string::npos) << problem;
+  EXPECT_EQ(refusal(withPieces(300)), "");
 }
 
 TEST_F(VtpReader, HeadersArePromisesThatAreHeld) {

@@ -196,6 +196,7 @@ std::string referenceJson(const RenderOptions& options, const Scene& scene, cons
                                    {"standardErrorRms", error.rootMeanSquare},
                                    {"standardErrorMax", error.largest}}},
                                  {"times", {{"referenceCpuSeconds", cpuSeconds}}}};
+  if (options.rays == 1) json["reference"]["standardErrorRms"] = json["reference"]["standardErrorMax"] = nullptr;
   if (options.technique == kPath) {
     const FrameSize size = parseFrameSize(options.size);
     const double paths = 1.0e-6 * size.width * size.height * options.rays;
@@ -340,8 +341,11 @@ void renderReference(const RenderOptions& options, bool linear) {
   if (options.report.json) {
     printDocument(json);
   } else if (!options.report.quiet) {
-    char errors[96];
-    std::snprintf(errors, sizeof errors, "%.2g (root mean square), %.2g at most", error.rootMeanSquare, error.largest);
+    char errors[96] = "unknown from one ray";
+    if (options.rays > 1) {
+      std::snprintf(errors, sizeof errors, "%.2g (root mean square), %.2g at most", error.rootMeanSquare,
+                    error.largest);
+    }
     printResult(options.outputPath + ": " + std::to_string(picture.color.width) + " x " +
                 std::to_string(picture.color.height) + ", camera " + camera.name + ", " + options.technique + ", " +
                 std::to_string(options.rays) + " rays per pixel, standard error " + errors + "\n");

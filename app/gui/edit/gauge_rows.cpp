@@ -12,6 +12,13 @@
 
 namespace boxprobe {
 
+namespace {
+
+/// A number that is soon followed by the next does not flicker.
+constexpr int kOldMilliseconds = 400;
+
+}  // namespace
+
 QString degreesText(double degrees) {
   return QString::number(degrees, 'f', degrees < 10.0 ? 2 : 1) + QString::fromUtf8("\u00b0");
 }
@@ -75,6 +82,12 @@ GaugeRows::GaugeRows(ProbeGauge& gauge, QWidget* parent)
   rows->addLayout(buttons);
   connect(live_, &QCheckBox::toggled, &gauge_, &ProbeGauge::setOn);
   connect(&gauge_, &ProbeGauge::changed, this, &GaugeRows::refresh);
+  old_.setSingleShot(true);
+  old_.setInterval(kOldMilliseconds);
+  connect(&gauge_, &ProbeGauge::outdated, this, [this] {
+    if (!old_.isActive()) old_.start();
+  });
+  connect(&old_, &QTimer::timeout, this, [this] { setGrey(!gauge_.current()); });
   connect(spot_, &QPushButton::clicked, this, [this] {
     if (gauge_.gauge() && gauge_.gauge()->spot) emit spotWanted(*gauge_.gauge()->spot);
   });
@@ -87,8 +100,16 @@ void GaugeRows::setCanComeBack(bool can) {
   back_->setEnabled(can);
 }
 
+void GaugeRows::setGrey(bool grey) {
+  for (QLabel* label : {mean_, verdict_}) label->setEnabled(!grey);
+  for (QLabel* label : errors_) label->setEnabled(!grey);
+}
+
 void GaugeRows::refresh() {
   const std::optional<BoxGauge>& gauge = gauge_.gauge();
+  old_.stop();
+  if (gauge && !gauge_.current()) old_.start();
+  setGrey(false);
   mean_->setVisible(gauge.has_value());
   verdict_->setVisible(gauge.has_value());
   faces_->setVisible(gauge.has_value());

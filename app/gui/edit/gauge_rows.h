@@ -1,8 +1,9 @@
 // The live error of the selected probe: its mean, and for each face what leaves the box there; a face that gains by
-// moving alone has a button that moves it, the worst one marked; and the way to the worst spot. Called by the fit
-// panel.
+// moving alone has a button that moves it, the worst one marked; and the way to the worst spot. Grey while the numbers
+// are older than the box. Called by the fit panel.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <array>
 
@@ -38,8 +39,10 @@ class GaugeRows : public QWidget {
 
  private:
   void refresh();
+  void setGrey(bool grey);
 
   ProbeGauge& gauge_;
+  QTimer old_;  ///< what is shown is not of the probe as it stands
   QCheckBox* live_;
   QLabel *mean_, *verdict_;
   QWidget* faces_;

@@ -126,6 +126,7 @@ void ProbeGauge::update() {
   }
   if (measured_ && measured_->name != probe->name) forget();
   outdated_ = true;
+  if (gauge_) emit outdated();
   if (work_.running()) {
     // A box that moved is measured when this is done; of rays that nobody asks for any more nothing is awaited.
     if (asked_ && !sameRays(*asked_, *probe)) work_.stop();

@@ -49,6 +49,8 @@ class ProbeGauge : public QObject {
 
  signals:
   void changed();
+  /// What is known is no longer that of the probe as it stands; a measurement follows.
+  void outdated();
   void message(const QString& text);
 
  private:

@@ -427,8 +427,16 @@ QString OutlinerModel::title(const Item& item) const {
     case Kind::Cameras:
       return tr("Cameras (%1)").arg(count);
     default:
-      return QString::fromStdString(item.name);
+      return QString::fromStdString(withoutGroup(item));
   }
+}
+
+std::string OutlinerModel::withoutGroup(const Item& item) const {
+  if (item.kind != Kind::Probe || item.parent < 0) return item.name;
+  const Item& group = items_[static_cast<std::size_t>(item.parent)];
+  const std::string prefix = group.name + "/";
+  const bool repeated = group.kind == Kind::Room && item.name.compare(0, prefix.size(), prefix) == 0;
+  return repeated ? item.name.substr(prefix.size()) : item.name;
 }
 
 QVariant OutlinerModel::nameData(const Item& item, int role) const {
@@ -446,7 +454,10 @@ QVariant OutlinerModel::nameData(const Item& item, int role) const {
       if (item.kind == Kind::Camera) return signIcon(Sign::Camera, false);
       return {};
     case Qt::ToolTipRole:
-      if (look != nullptr) return look->text;
+      if (look != nullptr) {
+        const std::string shown = withoutGroup(item);
+        return shown == item.name ? look->text : QString::fromStdString(item.name) + ": " + look->text;
+      }
       if (item.kind == Kind::Lamp) return tr("An object whose material shines");
       return {};
     case Qt::FontRole: {

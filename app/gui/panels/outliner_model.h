@@ -110,6 +110,8 @@ class OutlinerModel : public QAbstractItemModel {
   QVariant nameData(const Item& item, int role) const;
   QVariant markData(const Item& item, int column, int role) const;
   QString title(const Item& item) const;
+  /// "ceiling" of a probe "hall/ceiling", which stands under "hall".
+  std::string withoutGroup(const Item& item) const;
   void everyRowChanged(const QVector<int>& roles);
 
   const ViewState& state_;

@@ -71,6 +71,15 @@ void CompareViews::setShown(bool shown) {
   for (const Cell& cell : cells_) cell.choice->raise();
 }
 
+QFont CompareViews::fontFor(const QString& text, int width) const {
+  constexpr double kLeast = 0.7;  // smaller, nobody reads it
+  QFont smaller = font();
+  const int needed = QFontMetrics(smaller).horizontalAdvance(text);
+  if (needed <= width) return smaller;
+  smaller.setPointSizeF(smaller.pointSizeF() * std::max(kLeast, static_cast<double>(width) / needed));
+  return smaller;
+}
+
 QRect CompareViews::place(int view) const {
   const int width = (this->width() - kGap) / 2, height = (this->height() - kGap) / 2;
   return {(view % 2) * (width + kGap), (view / 2) * (height + kGap), width, height};
@@ -111,9 +120,11 @@ void CompareViews::paintEvent(QPaintEvent*) {
     const QStringList texts = cell.numbers.split('\n');
     for (int i = 0; i < texts.size(); ++i) {
       const QRect own(line.left(), line.top() + i * kLine / texts.size(), line.width(), kLine / texts.size());
+      painter.setFont(fontFor(texts[i], own.width()));
       painter.drawText(own, Qt::AlignVCenter | Qt::AlignLeft,
                        painter.fontMetrics().elidedText(texts[i], Qt::ElideRight, own.width()));
     }
+    painter.setFont(font());
   }
 }
 

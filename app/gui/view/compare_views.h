@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QFont>
 #include <QImage>
 #include <QString>
 #include <QWidget>
@@ -46,7 +47,8 @@ class CompareViews : public QWidget {
     QImage picture;
     QString note, numbers;
   };
-  QRect place(int view) const;  ///< of the picture and the line under it
+  QRect place(int view) const;                          ///< of the picture and the line under it
+  QFont fontFor(const QString& text, int width) const;  ///< smaller where the text is wider
   void arrange();
 
   std::array<Cell, kViews> cells_;

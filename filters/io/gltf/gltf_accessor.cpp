@@ -111,9 +111,9 @@ Elements elementsIn(const GltfFile& file, int view, std::size_t offset, std::siz
   return {bytes.data + offset, stride};
 }
 
-/// Copies all elements with sparse values applied, tightly packed.
+/// Copies all elements with sparse values applied, or those of `only`, tightly packed.
 std::vector<unsigned char> packedElements(const GltfFile& file, int index, std::size_t elementSize,
-                                          const std::string& where) {
+                                          const std::string& where, const EntryList* only = nullptr) {
   const tinygltf::Accessor& accessor = accessorAt(file, index, where);
   Elements base;
   if (accessor.bufferView >= 0) {
@@ -121,11 +121,21 @@ std::vector<unsigned char> packedElements(const GltfFile& file, int index, std::
   } else if (accessor.count > limits::kGltfZeroElements) {
     file.fail(where, "has " + std::to_string(accessor.count) + " elements without data");
   }
-  file.count(accessor.count * elementSize, where);
-  std::vector<unsigned char> packed(accessor.count * elementSize, 0);
+  if (only != nullptr && accessor.sparse.isSparse) {
+    const std::vector<unsigned char> all = packedElements(file, index, elementSize, where);
+    std::vector<unsigned char> packed(only->size() * elementSize);
+    for (std::size_t i = 0; i < only->size(); ++i) {
+      std::memcpy(packed.data() + i * elementSize, all.data() + (*only)[i] * elementSize, elementSize);
+    }
+    return packed;
+  }
+  const std::size_t count = only != nullptr ? only->size() : accessor.count;
+  file.count(count * elementSize, where);
+  std::vector<unsigned char> packed(count * elementSize, 0);
   if (base.data != nullptr) {
-    for (std::size_t i = 0; i < accessor.count; ++i) {
-      std::memcpy(packed.data() + i * elementSize, base.data + i * base.stride, elementSize);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t from = only != nullptr ? (*only)[i] : i;
+      std::memcpy(packed.data() + i * elementSize, base.data + from * base.stride, elementSize);
     }
   }
   if (!accessor.sparse.isSparse) return packed;
@@ -137,13 +147,13 @@ std::vector<unsigned char> packedElements(const GltfFile& file, int index, std::
       negative(static_cast<std::ptrdiff_t>(sparse.values.byteOffset)) || !isIndexType(sparse.indices.componentType)) {
     file.fail(where, "has a sparse part whose count, offsets or index type are not valid");
   }
-  const auto count = static_cast<std::size_t>(sparse.count);
+  const auto changed = static_cast<std::size_t>(sparse.count);
   const Elements indices =
-      elementsIn(file, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count,
+      elementsIn(file, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), changed,
                  componentSize(sparse.indices.componentType), where + " (sparse indices)");
   const Elements values = elementsIn(file, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
-                                     count, elementSize, where + " (sparse values)");
-  for (std::size_t i = 0; i < count; ++i) {
+                                     changed, elementSize, where + " (sparse values)");
+  for (std::size_t i = 0; i < changed; ++i) {
     const std::size_t target = indexAt(indices.data + i * indices.stride, sparse.indices.componentType);
     if (target >= accessor.count) {
       file.fail(where, "sparse index " + std::to_string(target) + " is beyond its " + std::to_string(accessor.count) +
@@ -193,7 +203,12 @@ int componentCount(const GltfFile& file, int index, const std::string& where) {
   }
 }
 
-std::vector<float> readFloats(const GltfFile& file, int index, int components, const std::string& attribute) {
+std::size_t elementCount(const GltfFile& file, int index, const std::string& where) {
+  return accessorAt(file, index, where).count;
+}
+
+std::vector<float> readFloats(const GltfFile& file, int index, int components, const std::string& attribute,
+                              const EntryList* only) {
   const tinygltf::Accessor& accessor = accessorAt(file, index, attribute);
   const std::string where = accessorPlace(index, attribute);
   if (componentCount(file, index, where) != components) {
@@ -203,12 +218,13 @@ std::vector<float> readFloats(const GltfFile& file, int index, int components, c
   if (size == 0)
     file.fail(where, "has a component type that is not in glTF: " + std::to_string(accessor.componentType));
   const std::vector<unsigned char> packed =
-      packedElements(file, index, size * static_cast<std::size_t>(components), where);
+      packedElements(file, index, size * static_cast<std::size_t>(components), where, only);
   std::vector<float> values(packed.size() / size);
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = componentAsFloat(packed.data() + i * size, accessor.componentType, accessor.normalized);
     if (!std::isfinite(values[i])) {
-      file.fail(where, "element " + std::to_string(i / static_cast<std::size_t>(components)) +
+      const std::size_t element = i / static_cast<std::size_t>(components);
+      file.fail(where, "element " + std::to_string(only != nullptr ? (*only)[element] : element) +
                            " is not finite; repair the model");
     }
   }

@@ -7,14 +7,12 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_limits.h"
-#include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/inside_folder.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/gltf/gltf_chunks.h"
 #include "filters/io/gltf/gltf_parts.h"
 #include "filters/io/json/json_text.h"
-#include "filters/platform/process.h"
 
 namespace boxprobe {
 
@@ -135,7 +133,7 @@ void readBuffers(GltfFile& file, const GltfText& text, const Chunks* chunks) {
     // The bytes of a data URI are the file's own already.
     if (read && !isDataUri(source.uri)) {
       if (known.insert(onePath(file, source.uri)).second) {
-        file.ownBytes += read->size();
+        file.budget.allow(read->size());
       } else {
         file.count(read->size(), "buffer " + std::to_string(i));
       }
@@ -155,22 +153,7 @@ void GltfFile::warn(const std::string& warning) {
 }
 
 void GltfFile::count(std::uint64_t bytes, const std::string& where) const {
-  // Of what is not compressed and named once, nothing grows more: an index of 2 bytes may become a corner of 32.
-  constexpr std::uint64_t kGrowth = 16;
-  if (gltfMostBytes() == 0) return;
-  const std::uint64_t most = gltfMostBytes() + kGrowth * ownBytes;
-  if (bytes <= most - countedBytes) {
-    countedBytes += bytes;
-    return;
-  }
-  fail(where, "comes, with all before it, to more than " + gigabytesText(most) + ", the most that the file's " +
-                  std::to_string(ownBytes) +
-                  " bytes may become on this machine; split the file, or let fewer parts share the same data");
-}
-
-std::uint64_t& gltfMostBytes() {
-  static std::uint64_t most = physicalMemoryBytes() / 6;
-  return most;
+  budget.count(bytes, path + ": " + where);
 }
 
 bool isDataUri(const std::string& uri) {
@@ -239,7 +222,7 @@ GltfFile openGltf(const std::string& path) {
 
   GltfFile file;
   file.path = path;
-  file.ownBytes = source.bytes.size();
+  file.budget.allow(source.bytes.size());
   const GltfText text = prepareGltf(file, source.json());
   tinygltf::TinyGLTF loader;
   std::string error, ignoredWarnings;  // its warnings concern images, which are hidden from it

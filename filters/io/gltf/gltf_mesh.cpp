@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
@@ -22,19 +23,27 @@ std::vector<Vector> asVectors(const std::vector<float>& values) {
   return vectors;
 }
 
+/// Which of its vertices a primitive is read with.
+struct Vertices {
+  std::size_t count = 0;          ///< in the file
+  std::optional<EntryList> only;  ///< none: all
+  const EntryList* list() const { return only ? &*only : nullptr; }
+  /// Of the file, for messages.
+  std::size_t entry(std::size_t i) const { return only ? (*only)[i] : i; }
+};
+
 /// An attribute if the primitive has it; throws unless it has one entry per position.
 template <typename Vector>
 std::vector<Vector> readAttribute(const GltfFile& file, const tinygltf::Primitive& primitive, const std::string& name,
-                                  std::size_t positions, const std::string& place) {
+                                  const Vertices& vertices, const std::string& place) {
   const auto found = primitive.attributes.find(name);
   if (found == primitive.attributes.end()) return {};
   const std::string where = place + ": " + name;
-  auto vectors = asVectors<Vector>(readFloats(file, found->second, Vector::length(), where));
-  if (vectors.size() != positions) {
+  if (const std::size_t entries = elementCount(file, found->second, where); entries != vertices.count) {
     file.fail(where,
-              "has " + std::to_string(vectors.size()) + " entries for " + std::to_string(positions) + " positions");
+              "has " + std::to_string(entries) + " entries for " + std::to_string(vertices.count) + " positions");
   }
-  return vectors;
+  return asVectors<Vector>(readFloats(file, found->second, Vector::length(), where, vertices.list()));
 }
 
 template <typename Value>
@@ -112,7 +121,7 @@ void warnOfTheRest(GltfFile& file, const tinygltf::Primitive& primitive) {
 
 /// COLOR_0: three or four components; without alpha it is 1 (glTF 2.0, section 3.7.2.1). Whole numbers must be marked
 /// as normalized. Blender 2.91 did not do so, and nothing else can be meant.
-std::vector<glm::vec4> readColors(GltfFile& file, const tinygltf::Primitive& primitive, std::size_t positions,
+std::vector<glm::vec4> readColors(GltfFile& file, const tinygltf::Primitive& primitive, const Vertices& vertices,
                                   const std::string& place) {
   const auto found = primitive.attributes.find("COLOR_0");
   if (found == primitive.attributes.end()) return {};
@@ -124,14 +133,44 @@ std::vector<glm::vec4> readColors(GltfFile& file, const tinygltf::Primitive& pri
     file.warn("has vertex colours in whole numbers that are not marked as normalized; they are read as if they were");
   }
   if (opaque) {
-    for (const glm::vec3& rgb : readAttribute<glm::vec3>(file, primitive, "COLOR_0", positions, place)) {
+    for (const glm::vec3& rgb : readAttribute<glm::vec3>(file, primitive, "COLOR_0", vertices, place)) {
       colors.emplace_back(rgb, 1.0f);
     }
   } else {
-    colors = readAttribute<glm::vec4>(file, primitive, "COLOR_0", positions, place);
+    colors = readAttribute<glm::vec4>(file, primitive, "COLOR_0", vertices, place);
   }
   for (glm::vec4& color : colors) color = glm::clamp(color, 0.0f, 1.0f);
   return colors;
+}
+
+/// The vertices of the triangles in their order, which for a primitive without indices is the file's.
+std::vector<std::uint32_t> readOrder(const GltfFile& file, const tinygltf::Primitive& primitive, std::size_t count,
+                                     const std::string& place) {
+  std::vector<std::uint32_t> order;
+  if (primitive.indices < 0) {
+    order.resize(count);
+    for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(i);
+    return order;
+  }
+  order = readIndices(file, primitive.indices, place + ": indices");
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (order[i] < count) continue;
+    file.fail(place + ": indices", "index " + std::to_string(i) + " is " + std::to_string(order[i]) +
+                                       ", but there are " + std::to_string(count) + " positions; the file is damaged");
+  }
+  return order;
+}
+
+/// Many primitives may share one long list of vertices, of which each is then read with its own. `order` counts in
+/// these from then on.
+EntryList takeUsed(std::vector<std::uint32_t>& order) {
+  EntryList used = order;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::uint32_t& vertex : order) {
+    vertex = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), vertex) - used.begin());
+  }
+  return used;
 }
 
 Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& primitive, int mode,
@@ -140,35 +179,32 @@ Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& pr
   Mesh mesh;
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end()) file.fail(place, "has no POSITION attribute; export it again");
-  mesh.positions = asVectors<glm::vec3>(readFloats(file, position->second, 3, place + ": POSITION"));
-  const std::size_t count = mesh.positions.size();
-  mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", count, place);
-  mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", count, place);
+  Vertices vertices;
+  vertices.count = elementCount(file, position->second, place + ": POSITION");
+  if (vertices.count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");
+  // Their number is a promise until they are read.
+  const bool few = primitive.indices >= 0 && shape.atRest() &&
+                   elementCount(file, primitive.indices, place + ": indices") < vertices.count / 2;
+  std::vector<std::uint32_t> order;
+  if (few) {
+    order = readOrder(file, primitive, vertices.count, place);
+    vertices.only = takeUsed(order);
+  }
+  mesh.positions = readAttribute<glm::vec3>(file, primitive, "POSITION", vertices, place);
+  if (!few) order = readOrder(file, primitive, vertices.count, place);
+  mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", vertices, place);
+  mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", vertices, place);
   applyShape(file, primitive, shape, mesh, place);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::vec3 reach = glm::abs(mesh.positions[i]);
     if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(limits::kNumber)) continue;
-    file.fail(place + ": POSITION", "entry " + std::to_string(i) + " lies beyond 1e18; repair the model");
+    file.fail(place + ": POSITION",
+              "entry " + std::to_string(vertices.entry(i)) + " lies beyond 1e18; repair the model");
   }
-  if (count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");
-  mesh.uv = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_0", count, place);
-  mesh.uv1 = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_1", count, place);
-  mesh.colors = readColors(file, primitive, count, place);
+  mesh.uv = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_0", vertices, place);
+  mesh.uv1 = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_1", vertices, place);
+  mesh.colors = readColors(file, primitive, vertices, place);
 
-  std::vector<std::uint32_t> order;
-  if (primitive.indices >= 0) {
-    order = readIndices(file, primitive.indices, place + ": indices");
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (order[i] >= count) {
-        file.fail(place + ": indices", "index " + std::to_string(i) + " is " + std::to_string(order[i]) +
-                                           ", but there are " + std::to_string(count) +
-                                           " positions; the file is damaged");
-      }
-    }
-  } else {
-    order.resize(count);
-    for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(i);
-  }
   if (mode == TINYGLTF_MODE_TRIANGLES && order.size() % 3 != 0) {
     file.warn("has triangle lists whose length is no multiple of 3; the incomplete triangle is left out");
   }
@@ -208,7 +244,7 @@ std::vector<int> readShapedMesh(const GltfMeshReading& reading, std::size_t inde
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     const std::string place = "mesh " + std::to_string(index) + " \"" + name + "\": primitive " + std::to_string(p);
     const AddedAccessors dropped(file);
-    const std::uint64_t before = file.countedBytes;
+    const std::uint64_t before = file.budget.counted();
     const tinygltf::Primitive primitive = unpackDraco(file, index, p, place);
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
     if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -218,7 +254,7 @@ std::vector<int> readShapedMesh(const GltfMeshReading& reading, std::size_t inde
     Mesh mesh = readPrimitive(reading, primitive, mode, shape, place);
     mesh.name = name;
     // Flat triangles, tangents and small numbers as floats are more than what was read.
-    const std::uint64_t made = bytesOf(mesh), read = file.countedBytes - before;
+    const std::uint64_t made = bytesOf(mesh), read = file.budget.counted() - before;
     if (made > read) file.count(made - read, place);
     if (mesh.indices.empty()) continue;
     members.push_back(static_cast<int>(result.meshes.size()));

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "filters/core/scene/model.h"
+#include "filters/io/files/read_budget.h"
 
 namespace boxprobe {
 
@@ -32,23 +33,17 @@ struct GltfFile {
   /// Accessors of the indices of Draco-compressed primitives, by mesh and primitive.
   std::map<std::pair<std::size_t, std::size_t>, int> dracoIndices;
   std::vector<std::string> warnings;
-  std::set<std::string> warned;            ///< the same warnings, to find them
-  std::size_t shapedPositions = 0;         ///< read so far, for all shapes
-  std::uint64_t ownBytes = 0;              ///< of the file and of those beside it, each once
-  mutable std::uint64_t countedBytes = 0;  ///< see count()
+  std::set<std::string> warned;     ///< the same warnings, to find them
+  std::size_t shapedPositions = 0;  ///< read so far, for all shapes
+  mutable ReadBudget budget;        ///< see count()
 
   /// Throws InputError: "building.glb: accessor 3: reason".
   [[noreturn]] void fail(const std::string& where, const std::string& reason) const;
   /// Adds a warning once.
   void warn(const std::string& warning);
-  /// Called for all bytes that are read or made from the file's own: a few of its bytes may unpack to many, and be
-  /// named any number of times, which no limit on a single use bounds. Throws InputError beyond gltfMostBytes().
+  /// Called for all bytes that are read or made from the file's own. Throws InputError beyond the budget.
   void count(std::uint64_t bytes, const std::string& where) const;
 };
-
-/// What even the smallest file may come to. At first a sixth of the machine's memory, as its pictures (image_pool.h);
-/// 0: no limit. Tests lower it.
-std::uint64_t& gltfMostBytes();
 
 /// Reads the file and the buffers it refers to, all from its own folder. Throws for unknown versions and unsupported
 /// required extensions.
@@ -107,9 +102,16 @@ struct ByteRange {
 };
 ByteRange bufferViewBytes(const GltfFile& file, int view, const std::string& where);
 
-/// `components` floats per element (1 to 4, 16 for a matrix); normalized integers are mapped to [0, 1] or [-1, 1].
-/// Throws for accessors of another type and for non-finite values. `where` names the attribute in messages.
-std::vector<float> readFloats(const GltfFile& file, int accessor, int components, const std::string& where);
+/// Some elements of an accessor, which has them all.
+using EntryList = std::vector<std::uint32_t>;
+
+/// `components` floats per element (1 to 4, 16 for a matrix), of all elements or of `only`; normalized integers are
+/// mapped to [0, 1] or [-1, 1]. Throws for accessors of another type and for non-finite values. `where` names the
+/// attribute in messages.
+std::vector<float> readFloats(const GltfFile& file, int accessor, int components, const std::string& where,
+                              const EntryList* only = nullptr);
+/// Throws if there is no such accessor.
+std::size_t elementCount(const GltfFile& file, int accessor, const std::string& where);
 /// Components of the accessor's type; throws if there is no such accessor.
 int componentCount(const GltfFile& file, int accessor, const std::string& where);
 std::vector<std::uint32_t> readIndices(const GltfFile& file, int accessor, const std::string& where);

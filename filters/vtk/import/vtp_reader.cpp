@@ -7,6 +7,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_limits.h"
 #include "filters/core/base/printable_text.h"
+#include "filters/io/files/read_budget.h"
 #include "filters/io/mesh/polygon_mesh.h"
 #include "filters/io/mesh/polygon_triangles.h"
 #include "filters/io/obj/obj_text.h"
@@ -31,7 +32,9 @@ bool isColorArray(const VtpArray& array) {
 
 class VtpPieces {
  public:
-  VtpPieces(const std::string& path, const VtpFile& file) : path_(path), file_(file) {}
+  VtpPieces(const std::string& path, const VtpFile& file) : path_(path), file_(file) {
+    budget_.allow(file.bytes.size());
+  }
 
   void add(const VtpPiece& piece) {
     if (piece.verts > 0) leftOut_.insert("points");
@@ -70,14 +73,14 @@ class VtpPieces {
   bool transparent() const { return transparent_; }
 
  private:
-  std::vector<double> values(const VtpArray& array, std::size_t wanted) const {
+  std::vector<double> values(const VtpArray& array, std::size_t wanted) {
+    budget_.count(wanted * sizeof(double), path_ + ": array \"" + printable(array.name.substr(0, 60)) + "\"");
     return vtpValues(file_, array, wanted, path_);
   }
 
   /// Calls `take` with each cell's corners.
   template <typename Take>
-  void forCells(const VtpPiece& piece, const std::string& section, std::size_t count, std::size_t first,
-                Take take) const {
+  void forCells(const VtpPiece& piece, const std::string& section, std::size_t count, std::size_t first, Take take) {
     if (count == 0) return;
     const VtpArray *ends = piece.find(section, "offsets"), *corners = piece.find(section, "connectivity");
     if (ends == nullptr || corners == nullptr) failVtp(path_, section + " have no offsets or no connectivity");
@@ -207,6 +210,7 @@ class VtpPieces {
 
   const std::string& path_;
   const VtpFile& file_;
+  ReadBudget budget_;  ///< pieces may share the bytes of an array
   Polygons polygons_;
   std::set<std::string> leftOut_;
   bool transparent_ = false;
