@@ -125,6 +125,12 @@ class Checker {
   bool look() {
     const std::vector<std::pair<std::size_t, Camera>> cameras = this->cameras();
     const SceneTracer tracer(makeTriangleScene(loaded_.scene, loaded_.models));
+    for (const TracedObject& object : tracer.scene().objects) {
+      for (const glm::vec3& position : object.positions) {
+        const glm::dvec3 world = tracer.scene().anchorWorld + glm::dvec3(position);
+        model_ = {glm::min(model_.min, world), glm::max(model_.max, world)};
+      }
+    }
     double sum = 0.0, count = 0.0;
     const SharedWork* shared = settings_.shared;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
@@ -279,11 +285,13 @@ class Checker {
     const auto outside = std::count_if(placement_.probes.begin(), placement_.probes.end(),
                                        [](const PlacedProbe& each) { return each.surroundings; });
     const bool several = placement_.probes.size() > 1 + static_cast<std::size_t>(outside);
-    if (several && placement_.kept.empty() && !both) {
-      oneBox = {aroundAll()};
+    if (best && placement_.kept.empty() && !both) {
+      oneBox = {several ? aroundAll() : withBox(model_)};
       const auto errors = errorsWith(oneBox);
       if (!errors) return false;
-      check_.sentences.push_back(Phrase::tr("one box around all rooms: error %1").arg(errorText(errors->error)));
+      check_.sentences.push_back((several ? Phrase::tr("one box around all rooms: error %1")
+                                          : Phrase::tr("one box around all of the model: error %1"))
+                                     .arg(errorText(errors->error)));
       if (errors->error < kBetter * best->error) {
         best = *errors, choice = Choice::OneBox;
         bestSquares_ = roomSquares_;
@@ -306,7 +314,8 @@ class Checker {
       PlacedProbe one = placement_.probes.front();
       one.probe = oneBox.front();
       one.part = false;
-      one.reason = Phrase::tr("one box around all rooms measured better than one for each");
+      one.reason = several ? Phrase::tr("one box around all rooms measured better than one for each")
+                           : Phrase::tr("one box around all of the model measured better than its room's");
       placement_.probes = {one};
     } else if (choice == Choice::OwnWithBounces) {
       placement_.probes.clear();
@@ -550,6 +559,10 @@ class Checker {
       const glm::dvec3 reach(c * half.x + s * half.z, half.y, s * half.x + c * half.z);
       bounds = {glm::min(bounds.min, middle - reach), glm::max(bounds.max, middle + reach)};
     }
+    return withBox(bounds);
+  }
+
+  Probe withBox(const Box& bounds) const {
     Probe probe = placement_.probes.front().probe;
     const Probe about = fittedProbe(bounds);
     probe.box = about.box;
@@ -568,6 +581,7 @@ class Checker {
   const PictureCheckSettings& settings_;
   ReferencePath path_;
   std::vector<Eye> eyes_;
+  Box model_{glm::dvec3(1e300), glm::dvec3(-1e300)};  ///< around all surfaces
   double white_ = 0.0;
   bool surfaces_ = false;  ///< the eyes see some that count
   double trials_ = 0.0;

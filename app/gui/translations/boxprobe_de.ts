@@ -5615,12 +5615,20 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>eine Box um alle Räume: Fehler %1</translation>
     </message>
     <message>
+        <source>one box around all of the model: error %1</source>
+        <translation>eine Box um das ganze Modell: Fehler %1</translation>
+    </message>
+    <message>
         <source>the scene&apos;s own probes with %1 bounces: error %2</source>
         <translation>die Sonden der Szene mit %1 Abprallern: Fehler %2</translation>
     </message>
     <message>
         <source>one box around all rooms measured better than one for each</source>
         <translation>eine Box um alle Räume war messbar besser als eine für jeden</translation>
+    </message>
+    <message>
+        <source>one box around all of the model measured better than its room&apos;s</source>
+        <translation>eine Box um das ganze Modell war messbar besser als die seines Raums</translation>
     </message>
     <message>
         <source>fitted to all of the model, which measured better than its rooms</source>

@@ -5615,12 +5615,20 @@ one lookup, on face %1</source>
         <translation>围绕所有房间的一个盒：误差 %1</translation>
     </message>
     <message>
+        <source>one box around all of the model: error %1</source>
+        <translation>围绕整个模型的一个盒：误差 %1</translation>
+    </message>
+    <message>
         <source>the scene&apos;s own probes with %1 bounces: error %2</source>
         <translation>场景自身的探针反弹 %1 次：误差 %2</translation>
     </message>
     <message>
         <source>one box around all rooms measured better than one for each</source>
         <translation>围绕所有房间的一个盒测得优于每个房间各一个</translation>
+    </message>
+    <message>
+        <source>one box around all of the model measured better than its room&apos;s</source>
+        <translation>围绕整个模型的一个盒测得优于其房间的盒</translation>
     </message>
     <message>
         <source>fitted to all of the model, which measured better than its rooms</source>
