@@ -92,7 +92,7 @@ class Builder {
       corners_.push_back(vertexOf(part, polygon, c));
       points_.push_back(polygons_.positions[polygons_.corners[c]]);
     }
-    for (const auto& triangle : polygonTriangles(points_)) {
+    for (const auto& triangle : polygonTriangles(points_, tests_)) {
       for (const std::uint32_t c : triangle) result_.meshes[part].indices.push_back(corners_[c]);
     }
   }
@@ -105,6 +105,7 @@ class Builder {
   std::vector<std::vector<std::uint32_t>> vertices_;  ///< by part and position
   std::vector<std::uint32_t> corners_;
   std::vector<glm::dvec3> points_;
+  PolygonTests tests_;
 };
 
 }  // namespace

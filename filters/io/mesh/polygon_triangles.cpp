@@ -1,5 +1,6 @@
 #include "filters/io/mesh/polygon_triangles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,10 +14,56 @@ double cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// Points of a plane in square cells, about one in each.
+class PointGrid {
+ public:
+  PointGrid(const std::vector<glm::dvec2>& points, const std::vector<std::uint32_t>& chosen) {
+    if (chosen.empty()) return;
+    glm::dvec2 high = low_ = points[chosen.front()];
+    for (const std::uint32_t i : chosen) {
+      low_ = glm::min(low_, points[i]);
+      high = glm::max(high, points[i]);
+    }
+    side_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(chosen.size()))));
+    size_ = high - low_;
+    const auto cellOf = [&](std::uint32_t i) { return side_ * at(points[i].y, 1) + at(points[i].x, 0); };
+    first_.assign(static_cast<std::size_t>(side_ * side_) + 1, 0);
+    for (const std::uint32_t i : chosen) ++first_[static_cast<std::size_t>(cellOf(i)) + 1];
+    for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    points_.resize(chosen.size());
+    for (const std::uint32_t i : chosen) points_[next[static_cast<std::size_t>(cellOf(i))]++] = i;
+  }
+
+  /// Calls `take` with the points of all cells between two corners of a rectangle, until it returns false.
+  template <typename Take>
+  void within(const glm::dvec2& low, const glm::dvec2& high, const Take& take) const {
+    if (points_.empty()) return;
+    for (int y = at(low.y, 1); y <= at(high.y, 1); ++y) {
+      // Cells of a row lie behind each other.
+      const auto first = static_cast<std::size_t>(side_ * y + at(low.x, 0));
+      const auto last = static_cast<std::size_t>(side_ * y + at(high.x, 0));
+      for (std::uint32_t i = first_[first]; i < first_[last + 1]; ++i) {
+        if (!take(points_[i])) return;
+      }
+    }
+  }
+
+ private:
+  int at(double value, int axis) const {
+    const double cell = size_[axis] > 0.0 ? (value - low_[axis]) / size_[axis] * side_ : 0.0;
+    return static_cast<int>(std::min(std::max(0.0, cell), side_ - 1.0));  // NaN is 0
+  }
+
+  glm::dvec2 low_{0.0}, size_{0.0};
+  int side_ = 1;
+  std::vector<std::uint32_t> first_, points_;  ///< of each cell, its first; points by cell
+};
+
 /// Clips ears from a ring of corners in the plane (Meisters 1975).
 class EarClipper {
  public:
-  explicit EarClipper(std::vector<glm::dvec2> points) : points_(std::move(points)) {
+  EarClipper(std::vector<glm::dvec2> points, PolygonTests& tests) : points_(std::move(points)), tests_(tests) {
     const auto count = static_cast<std::uint32_t>(points_.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       next_.push_back(i + 1 == count ? 0 : i + 1);
@@ -25,6 +72,7 @@ class EarClipper {
     for (std::uint32_t i = 0; i < count; ++i) {
       if (turn(i) < 0.0) reflex_.push_back(i);
     }
+    grid_ = PointGrid(points_, reflex_);
     testsLeft_ = 8 * points_.size() * points_.size();
   }
 
@@ -65,18 +113,23 @@ class EarClipper {
   /// Does no reflex corner lie in the triangle at this corner? Corners in the same place as its own do not count.
   bool isEmpty(std::uint32_t ear) {
     const glm::dvec2 &a = points_[previous_[ear]], &b = points_[ear], &c = points_[next_[ear]];
-    for (const std::uint32_t i : reflex_) {
-      if (testsLeft_ == 0) return true;
+    bool empty = true;
+    grid_.within(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c), [&](std::uint32_t i) {
+      if (testsLeft_ == 0 || tests_.left == 0) return false;
       --testsLeft_;
+      --tests_.left;
       const glm::dvec2& p = points_[i];
-      if (p == a || p == b || p == c || next_[previous_[i]] != i) continue;  // the last: clipped already
-      if (cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0) return false;
-    }
-    return true;
+      if (p == a || p == b || p == c || next_[previous_[i]] != i) return true;  // the last: clipped already
+      empty = !(cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0);
+      return empty;
+    });
+    return empty;
   }
 
   std::vector<glm::dvec2> points_;
   std::vector<std::uint32_t> next_, previous_, reflex_;
+  PointGrid grid_{{}, {}};  ///< of reflex corners
+  PolygonTests& tests_;
   std::size_t testsLeft_ = 0;  ///< bounds the time of polygons that cross themselves
 };
 
@@ -90,7 +143,8 @@ glm::dvec3 polygonNormal(const std::vector<glm::dvec3>& corners) {
   return sum;
 }
 
-std::vector<std::array<std::uint32_t, 3>> polygonTriangles(const std::vector<glm::dvec3>& corners) {
+std::vector<std::array<std::uint32_t, 3>> polygonTriangles(const std::vector<glm::dvec3>& corners,
+                                                           PolygonTests& tests) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const auto count = static_cast<std::uint32_t>(corners.size());
   if (count < 3) return triangles;
@@ -104,7 +158,7 @@ std::vector<std::array<std::uint32_t, 3>> polygonTriangles(const std::vector<glm
                          p[(axis + 2) % 3] - corners[0][(axis + 2) % 3]);
       flat.push_back(normal[axis] > 0.0 ? q : glm::dvec2(-q.x, q.y));
     }
-    EarClipper clipper(std::move(flat));
+    EarClipper clipper(std::move(flat), tests);
     if (!clipper.convex()) return clipper.clip();
   }
   for (std::uint32_t i = 1; i + 1 < count; ++i) triangles.push_back({0, i, i + 1});

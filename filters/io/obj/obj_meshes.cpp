@@ -150,7 +150,7 @@ class PartMaker {
                                                         : 0;
       vertices_.push_back(vertexOf({part, corner.position, corner.uv, normal}, facing));
     }
-    for (const auto& triangle : polygonTriangles(corners)) {
+    for (const auto& triangle : polygonTriangles(corners, tests_)) {
       for (const std::uint32_t c : triangle) parts_[part].mesh.indices.push_back(vertices_[c]);
     }
   }
@@ -207,6 +207,7 @@ class PartMaker {
   std::unordered_map<VertexKey, std::uint32_t, VertexHash> indices_;
   std::unordered_map<std::uint64_t, glm::dvec3> smooth_;
   std::vector<std::uint32_t> vertices_;  ///< of the face being added
+  PolygonTests tests_;
 };
 
 }  // namespace
