@@ -44,9 +44,10 @@ void requireWritable(const std::string& option, const std::string& path) {
     throw InputError(place + "the folder " + folder.string() + " does not exist; create it first");
   if (!fs::is_directory(folder, ignored)) throw InputError(place + folder.string() + " is a file, not a folder");
   if (fs::is_directory(path, ignored)) throw InputError(place + "this is a folder; name a file in it");
-  std::error_code error;
-  fs::symlink_status(path, error);
-  if (error == std::errc::filename_too_long) throw InputError(place + error.message() + "; choose a shorter one");
+  std::error_code reason;
+  if (!fs::exists(path, reason) && reason == std::errc::filename_too_long) {
+    throw InputError(place + reason.message() + "; choose a shorter one");
+  }
   // Permissions, read-only mounts and root's privileges are the kernel's to weigh: a file is created and removed.
   try {
     const TemporaryFile probe(folder.string(), ".boxprobe-");
