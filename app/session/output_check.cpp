@@ -24,13 +24,24 @@ void requireAnother(const std::string& option, const std::string& path) {
   if (option.empty() || option.front() != '-') return;
   static std::map<std::string, std::string> options;
   std::error_code ignored;
-  const std::string target = fs::weakly_canonical(writtenPath(path), ignored).string();
+  // Absolute first: of a path whose beginning does not exist nothing is resolved.
+  const std::string target = fs::weakly_canonical(fs::absolute(writtenPath(path), ignored), ignored).string();
   const auto [known, isNew] = options.emplace(target, option);
   if (isNew || known->second == option) return;
   throw InputError(option + " " + path + ": " + known->second + " writes to this file; name another");
 }
 
 }  // namespace
+
+void requireShortName(const std::string& option, const std::string& path) {
+  // A file is written in a folder of its own first: atomic_file.h.
+  const fs::path target = writtenPath(path);
+  for (const fs::path& each : {target, target.parent_path() / unfinishedFolderName() / target.filename()}) {
+    std::error_code reason;
+    if (fs::exists(each, reason) || reason != std::errc::filename_too_long) continue;
+    throw InputError(option + " " + path + ": " + reason.message() + "; choose a shorter one");
+  }
+}
 
 void requireWritable(const std::string& option, const std::string& path) {
   const std::string place = option + " " + path + ": ";
@@ -44,10 +55,7 @@ void requireWritable(const std::string& option, const std::string& path) {
     throw InputError(place + "the folder " + folder.string() + " does not exist; create it first");
   if (!fs::is_directory(folder, ignored)) throw InputError(place + folder.string() + " is a file, not a folder");
   if (fs::is_directory(path, ignored)) throw InputError(place + "this is a folder; name a file in it");
-  std::error_code reason;
-  if (!fs::exists(path, reason) && reason == std::errc::filename_too_long) {
-    throw InputError(place + reason.message() + "; choose a shorter one");
-  }
+  requireShortName(option, path);
   // Permissions, read-only mounts and root's privileges are the kernel's to weigh: a file is created and removed.
   try {
     const TemporaryFile probe(folder.string(), ".boxprobe-");
@@ -64,6 +72,9 @@ void requireOutputFolder(const std::string& option, const std::string& folder) {
     throw InputError(folder + ": this is a file; " + option + " names a folder");
   }
   fs::create_directories(folder, error);
+  if (error == std::errc::filename_too_long) {
+    throw InputError(option + " " + folder + ": " + error.message() + "; choose a shorter one");
+  }
   if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
   if (!canWriteInto(folder)) throw WorkError(folder + ": cannot write into this folder");
 }

@@ -11,6 +11,9 @@ namespace boxprobe {
 /// file that `path` leads to is an InputError, too.
 void requireWritable(const std::string& option, const std::string& path);
 
+/// Throws InputError if the file system has no file of so long a name or path.
+void requireShortName(const std::string& option, const std::string& path);
+
 /// Makes the folder that `option` names where it is missing, before hours of work and not after them. Throws InputError
 /// if it is a file, WorkError if it cannot be made or written into.
 void requireOutputFolder(const std::string& option, const std::string& folder);

@@ -280,20 +280,30 @@ class Checker {
       if (!best || !tryBounces(*best) || !leaveOut(*best)) return false;
     }
     const bool both = placement_.indoorsAndOutdoors();
-    // One box around all rooms; mean light of a whole flat may be closer than that of a room that sees little of it.
-    std::vector<Probe> oneBox;
+    // Mean light of a whole flat may be closer than that of a room that sees little of it.
+    struct OneBox {
+      Probe probe;
+      Phrase tried, reason;
+    };
+    std::vector<OneBox> boxes;
+    std::size_t chosenBox = 0;
     const auto outside = std::count_if(placement_.probes.begin(), placement_.probes.end(),
                                        [](const PlacedProbe& each) { return each.surroundings; });
-    const bool several = placement_.probes.size() > 1 + static_cast<std::size_t>(outside);
     if (best && placement_.kept.empty() && !both) {
-      oneBox = {several ? aroundAll() : withBox(model_)};
-      const auto errors = errorsWith(oneBox);
+      if (placement_.probes.size() > 1 + static_cast<std::size_t>(outside)) {
+        boxes.push_back({aroundAll(), Phrase::tr("one box around all rooms: error %1"),
+                         Phrase::tr("one box around all rooms measured better than one for each")});
+      }
+      boxes.push_back({aroundModel(), Phrase::tr("one box around all of the model: error %1"),
+                       Phrase::tr("one box around all of the model measured better than those of rooms")});
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const auto errors = errorsWith({boxes[i].probe});
       if (!errors) return false;
-      check_.sentences.push_back((several ? Phrase::tr("one box around all rooms: error %1")
-                                          : Phrase::tr("one box around all of the model: error %1"))
-                                     .arg(errorText(errors->error)));
+      check_.sentences.push_back(boxes[i].tried.arg(errorText(errors->error)));
       if (errors->error < kBetter * best->error) {
         best = *errors, choice = Choice::OneBox;
+        chosenBox = i;
         bestSquares_ = roomSquares_;
       }
     }
@@ -312,10 +322,9 @@ class Checker {
     }
     if (choice == Choice::OneBox) {
       PlacedProbe one = placement_.probes.front();
-      one.probe = oneBox.front();
+      one.probe = boxes[chosenBox].probe;
       one.part = false;
-      one.reason = several ? Phrase::tr("one box around all rooms measured better than one for each")
-                           : Phrase::tr("one box around all of the model measured better than its room's");
+      one.reason = boxes[chosenBox].reason;
       placement_.probes = {one};
     } else if (choice == Choice::OwnWithBounces) {
       placement_.probes.clear();
@@ -560,6 +569,13 @@ class Checker {
       bounds = {glm::min(bounds.min, middle - reach), glm::max(bounds.max, middle + reach)};
     }
     return withBox(bounds);
+  }
+
+  /// From its middle.
+  Probe aroundModel() const {
+    Probe probe = withBox(model_);
+    probe.origin = fittedProbe(model_).origin;
+    return probe;
   }
 
   Probe withBox(const Box& bounds) const {

@@ -56,7 +56,7 @@ struct PictureCheckSettings {
 };
 
 /// Tries `placement`, the same with more bounces and without the probes of parts of rooms, one box around all rooms
-/// (where there is one: around all of the model), and the scene's own probes with more bounces; leaves in `placement`
+/// and one around all of the model, and the scene's own probes with more bounces; leaves in `placement`
 /// what measured best. If that is not better than what the scene has, it leaves the scene's own probes as those kept.
 /// Captures are small ones, for all alike. Nothing if `progress` stopped it; without eyes or light no check, and a
 /// sentence that says so.

@@ -172,6 +172,19 @@ TEST_F(Reference, RefusesANameThatIsTooLongBeforeItTraces) {
   EXPECT_THAT(folder.names(), SizeIs(0));
 }
 
+TEST_F(Reference, OneFileSpeltInTwoWaysIsNotWrittenTwice) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path("."));
+  for (const std::string& other : {std::string("./q.png"), folder.path("q.png"), std::string("a/../q.png")}) {
+    outcome = runProgram({"render", demoScene("room"), "-o", "q.png", "--stats", other, "--technique", "reference-path",
+                          "--rays", "1", "--size", "32x18"},
+                         DisplayKind::Unset);
+    EXPECT_EQ(outcome.exitStatus, 2) << other << ": " << outcome.err;
+    EXPECT_THAT(folder.names(), SizeIs(0)) << other;
+  }
+  std::filesystem::current_path(before);
+}
+
 TEST_F(Reference, RefusesWhatItHasNoUseFor) {
   expectRefused({"--rays", "64"}, "--rays 64 is for --technique");
   expectRefused({"--full"}, "--full is for --technique");

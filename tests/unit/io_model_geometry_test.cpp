@@ -70,6 +70,41 @@ TEST_F(ModelGeometry, IndicesOfEveryUnsignedType) {
   EXPECT_EQ(model.triangleCount(), 6u);
 }
 
+/// They count neither in the bounds nor among what has to be finite, and morph targets find the others.
+TEST_F(ModelGeometry, VerticesThatNothingUsesAreLeftOut) {
+  const float far = 1.0e6f, nan = std::nanf("");
+  for (const int unused : {1, 9}) {
+    for (const double weight : {0.0, 0.5}) {
+      glb = GlbBuilder();
+      std::vector<float> positions, normals, moves;
+      const auto add = [&](const vec3& position, const vec3& move) {
+        positions.insert(positions.end(), {position.x, position.y, position.z});
+        normals.insert(normals.end(), {0.0f, 0.0f, 1.0f});
+        moves.insert(moves.end(), {move.x, move.y, move.z});
+      };
+      const vec3 used[] = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, moved[] = {{1, 0, 0}, {0, 4, 0}, {0, 0, 6}};
+      add({far, -far, 0}, {nan, 0, 0});
+      add(used[0], moved[0]);
+      add(used[1], moved[1]);
+      for (int i = 1; i < unused; ++i) add({nan, 0, 0}, {0, far, 0});
+      add(used[2], moved[2]);
+      const std::vector<std::uint8_t> order = {static_cast<std::uint8_t>(2 + unused), 1, 2};
+      const Json primitive = {
+          {"attributes", {{"POSITION", glb.floats("VEC3", 3, positions)}, {"NORMAL", glb.floats("VEC3", 3, normals)}}},
+          {"indices", glb.accessor(glb.view(order), GlbBuilder::UByte, "SCALAR", 3)},
+          {"targets", Json::array({{{"POSITION", glb.floats("VEC3", 3, moves)}}})}};
+      const int mesh = glb.mesh(primitive);
+      glb.json["meshes"][static_cast<std::size_t>(mesh)]["weights"] = Json::array({weight});
+      glb.node({{"mesh", mesh}});
+      const Model model = load();
+      ASSERT_EQ(model.meshes.size(), 1u);
+      EXPECT_EQ(model.meshes[0].positions.size(), 3u);
+      const auto at = [&](std::size_t i) { return used[i] + static_cast<float>(weight) * moved[i]; };
+      EXPECT_EQ(corners(model.meshes[0]), (std::vector<vec3>{at(2), at(0), at(1)})) << unused << " " << weight;
+    }
+  }
+}
+
 TEST_F(ModelGeometry, StripsAndFansKeepTheFirstTrianglesWinding) {
   const int strip = glb.floats("VEC3", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0});
   const int fan = glb.floats("VEC3", 3, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, -1, 1, 0});

@@ -46,6 +46,14 @@ Points spiral(int count) {
 
 TEST(PolygonTriangles, LongConcaveOnesAreTiledInFewTests) {
   expectTiled(spiral(2048), 1000000);
+  Points zigzag;  // a slanted band, along which each ear is found behind the one before
+  const auto add = [&](int i, double side) {
+    const double y = i % 2 * 1000.0 + side;
+    zigzag.emplace_back(i + y, y, 0.0);
+  };
+  for (int i = 0; i <= 2046; ++i) add(i, -200.0);
+  for (int i = 2046; i >= 0; --i) add(i, 200.0);
+  expectTiled(zigzag, 40000000);
   Points star, comb;
   for (int i = 0; i < 4096; ++i) {
     const double angle = 6.283185307179586 * i / 4096, radius = 2.0 + std::sin(37.0 * angle) + 0.1 * (i * 7919 % 13);
@@ -57,6 +65,29 @@ TEST(PolygonTriangles, LongConcaveOnesAreTiledInFewTests) {
   expectTiled(comb, 1000000);
   std::reverse(star.begin(), star.end());
   expectTiled(star, 1000000);
+}
+
+TEST(PolygonTriangles, DoubledCornersAndSlitsTakeNoPlace) {
+  const Points bent = {{0, 0, 0}, {5, 0, 0}, {5, 1, 0}, {1.5, 1, 0}, {1, 4, 0}, {0, 3.5, 0}};
+  for (std::size_t first = 0; first < bent.size(); ++first) {
+    for (std::size_t doubled = 0; doubled < bent.size(); ++doubled) {
+      for (const int times : {2, 3}) {
+        Points points;
+        for (std::size_t i = 0; i < bent.size(); ++i) {
+          const std::size_t corner = (first + i) % bent.size();
+          for (int k = 0; k < (corner == doubled ? times : 1); ++k) points.push_back(bent[corner]);
+        }
+        expectTiled(points, 1000);
+      }
+    }
+    // There and back again, from a corner into the middle and out of the outline's.
+    for (const glm::dvec3& tip : {glm::dvec3(0.5, 0.6, 0.0), glm::dvec3(-2.0, -3.0, 0.0)}) {
+      Points points = {bent[0], tip};
+      points.insert(points.end(), bent.begin(), bent.end());
+      std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first), points.end());
+      expectTiled(points, 1000);
+    }
+  }
 }
 
 TEST(PolygonTriangles, OnesThatCrossThemselvesShareTheFilesTests) {

@@ -149,12 +149,37 @@ TEST_F(VtpReader, PiecesThatShareTheirBytesCountEachTime) {
     for (int i = 0; i < count; ++i) text += whole.substr(begin, end - begin);
     return text + whole.substr(end);
   };
-  const std::uint64_t usual = std::exchange(readBudgetBytes(), 1);
+  const std::uint64_t usual = std::exchange(readBudgetBytes(), 4 << 20);
   EXPECT_EQ(readModel(write("m.vtp", withPieces(1))).meshes.size(), 1u);
   const std::string problem = refusal(withPieces(300));
   readBudgetBytes() = usual;
   EXPECT_NE(problem.find("comes, with all before it, to more than"), std::string::npos) << problem;
   EXPECT_EQ(readModel(write("m.vtp", withPieces(300))).meshes.size(), 1u);
+}
+
+TEST_F(VtpReader, WhatIsMadeOfNumbersCountsToo) {
+  constexpr vtkIdType kCorners = 200000;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  for (const double x : {0.0, 1.0, 3.0}) points->InsertNextPoint(x, x * x, 0.0);
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell(static_cast<int>(kCorners));
+  for (vtkIdType i = 0; i < kCorners; ++i) strips->InsertCellPoint(i % 3);
+  data->SetPoints(points);
+  data->SetStrips(strips);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file("w.vtp").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  const std::string strip = read("w.vtp");
+  ASSERT_LT(strip.size(), 30000u);
+  const std::uint64_t usual = std::exchange(readBudgetBytes(), 4 << 20);  // the indices alone are 3.2 MB
+  const std::string made = refusal(strip);
+  readBudgetBytes() = 10 << 20;  // with three corners each: 8.8 MB
+  const std::string meshes = refusal(strip);
+  readBudgetBytes() = usual;
+  EXPECT_NE(made.find("Strips: comes, with all before it"), std::string::npos) << made;
+  EXPECT_NE(meshes.find("PolyData: comes, with all before it"), std::string::npos) << meshes;
 }
 
 TEST_F(VtpReader, HeadersArePromisesThatAreHeld) {

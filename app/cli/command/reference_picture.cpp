@@ -18,6 +18,7 @@
 #include "app/session/messages.h"
 #include "app/session/offscreen_scene.h"
 #include "app/session/opened_glb.h"
+#include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/reference_box_picture.h"
 #include "app/session/scene_work.h"
@@ -237,6 +238,7 @@ std::optional<ReferencePicture> sharedPicture(const BakeShare& share, const std:
   }
   const std::string band = bandPath(options.outputPath, share, key);
   const bool none = part.top >= part.bottom;
+  requireShortName("-o", band);
   if (!none && !std::filesystem::exists(band)) {
     const ReferencePicture rows = trace(part);
     if (!rows.complete) throw WorkError("interrupted; the rows of this share are not kept");

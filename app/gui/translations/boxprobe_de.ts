@@ -5627,8 +5627,8 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>eine Box um alle Räume war messbar besser als eine für jeden</translation>
     </message>
     <message>
-        <source>one box around all of the model measured better than its room&apos;s</source>
-        <translation>eine Box um das ganze Modell war messbar besser als die seines Raums</translation>
+        <source>one box around all of the model measured better than those of rooms</source>
+        <translation>eine Box um das ganze Modell war messbar besser als die der Räume</translation>
     </message>
     <message>
         <source>fitted to all of the model, which measured better than its rooms</source>

@@ -5627,8 +5627,8 @@ one lookup, on face %1</source>
         <translation>围绕所有房间的一个盒测得优于每个房间各一个</translation>
     </message>
     <message>
-        <source>one box around all of the model measured better than its room&apos;s</source>
-        <translation>围绕整个模型的一个盒测得优于其房间的盒</translation>
+        <source>one box around all of the model measured better than those of rooms</source>
+        <translation>围绕整个模型的一个盒测得优于各房间的盒</translation>
     </message>
     <message>
         <source>fitted to all of the model, which measured better than its rooms</source>

@@ -103,6 +103,10 @@ std::string writtenPath(const std::string& path) {
   return target.string();
 }
 
+std::string unfinishedFolderName() {
+  return std::string(kFolderStart) + "XXXXXX";
+}
+
 void writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write) {
   namespace fs = std::filesystem;
   std::error_code ignored;

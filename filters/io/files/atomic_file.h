@@ -10,6 +10,9 @@ namespace boxprobe {
 /// yet.
 std::string writtenPath(const std::string& path);
 
+/// A name as long as those of the folders that files are written in first.
+std::string unfinishedFolderName();
+
 /// Calls `write` with the path of a file of that name in a new folder beside `path`, which only this user may enter.
 /// Then flushes that file to disk and renames it to `path`. If `write` throws or the flush or rename fails, the folder
 /// is removed and `path` is untouched; file system errors are WorkError with `path` and the system's reason. A process

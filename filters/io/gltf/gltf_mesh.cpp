@@ -3,7 +3,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <optional>
 
 #include "filters/core/base/file_limits.h"
 #include "filters/io/gltf/gltf_parts.h"
@@ -23,19 +22,10 @@ std::vector<Vector> asVectors(const std::vector<float>& values) {
   return vectors;
 }
 
-/// Which of its vertices a primitive is read with.
-struct Vertices {
-  std::size_t count = 0;          ///< in the file
-  std::optional<EntryList> only;  ///< none: all
-  const EntryList* list() const { return only ? &*only : nullptr; }
-  /// Of the file, for messages.
-  std::size_t entry(std::size_t i) const { return only ? (*only)[i] : i; }
-};
-
 /// An attribute if the primitive has it; throws unless it has one entry per position.
 template <typename Vector>
 std::vector<Vector> readAttribute(const GltfFile& file, const tinygltf::Primitive& primitive, const std::string& name,
-                                  const Vertices& vertices, const std::string& place) {
+                                  const GltfVertices& vertices, const std::string& place) {
   const auto found = primitive.attributes.find(name);
   if (found == primitive.attributes.end()) return {};
   const std::string where = place + ": " + name;
@@ -121,7 +111,7 @@ void warnOfTheRest(GltfFile& file, const tinygltf::Primitive& primitive) {
 
 /// COLOR_0: three or four components; without alpha it is 1 (glTF 2.0, section 3.7.2.1). Whole numbers must be marked
 /// as normalized. Blender 2.91 did not do so, and nothing else can be meant.
-std::vector<glm::vec4> readColors(GltfFile& file, const tinygltf::Primitive& primitive, const Vertices& vertices,
+std::vector<glm::vec4> readColors(GltfFile& file, const tinygltf::Primitive& primitive, const GltfVertices& vertices,
                                   const std::string& place) {
   const auto found = primitive.attributes.find("COLOR_0");
   if (found == primitive.attributes.end()) return {};
@@ -161,15 +151,29 @@ std::vector<std::uint32_t> readOrder(const GltfFile& file, const tinygltf::Primi
   return order;
 }
 
-/// Many primitives may share one long list of vertices, of which each is then read with its own. `order` counts in
-/// these from then on.
-EntryList takeUsed(std::vector<std::uint32_t>& order) {
-  EntryList used = order;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (std::uint32_t& vertex : order) {
-    vertex = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), vertex) - used.begin());
+/// The vertices that `order` uses, in whose list it counts from then on; none if these are all. Others would count in
+/// the bounds, and many primitives may share one long list.
+std::optional<EntryList> takeUsed(std::vector<std::uint32_t>& order, std::size_t count) {
+  EntryList used;
+  if (order.size() < count / 2) {  // their number is a promise until they are read
+    used = order;
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (std::uint32_t& vertex : order) {
+      vertex = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), vertex) - used.begin());
+    }
+    return used;
   }
+  constexpr std::uint32_t kUnused = 0xffffffffu;
+  std::vector<std::uint32_t> places(count, kUnused);
+  for (const std::uint32_t vertex : order) places[vertex] = 0;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    if (places[i] == kUnused) continue;
+    places[i] = static_cast<std::uint32_t>(used.size());
+    used.push_back(i);
+  }
+  if (used.size() == count) return std::nullopt;
+  for (std::uint32_t& vertex : order) vertex = places[vertex];
   return used;
 }
 
@@ -179,22 +183,20 @@ Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& pr
   Mesh mesh;
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end()) file.fail(place, "has no POSITION attribute; export it again");
-  Vertices vertices;
+  GltfVertices vertices;
   vertices.count = elementCount(file, position->second, place + ": POSITION");
   if (vertices.count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");
-  // Their number is a promise until they are read.
-  const bool few = primitive.indices >= 0 && shape.atRest() &&
-                   elementCount(file, primitive.indices, place + ": indices") < vertices.count / 2;
+  if (primitive.indices < -1) file.fail(place, "indices must be the number of an accessor");
   std::vector<std::uint32_t> order;
-  if (few) {
+  if (primitive.indices >= 0) {
     order = readOrder(file, primitive, vertices.count, place);
-    vertices.only = takeUsed(order);
+    vertices.only = takeUsed(order, vertices.count);
   }
   mesh.positions = readAttribute<glm::vec3>(file, primitive, "POSITION", vertices, place);
-  if (!few) order = readOrder(file, primitive, vertices.count, place);
+  if (primitive.indices < 0) order = readOrder(file, primitive, vertices.count, place);
   mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", vertices, place);
   mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", vertices, place);
-  applyShape(file, primitive, shape, mesh, place);
+  applyShape(file, primitive, shape, vertices, mesh, place);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::vec3 reach = glm::abs(mesh.positions[i]);
     if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(limits::kNumber)) continue;

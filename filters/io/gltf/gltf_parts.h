@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -105,6 +106,15 @@ ByteRange bufferViewBytes(const GltfFile& file, int view, const std::string& whe
 /// Some elements of an accessor, which has them all.
 using EntryList = std::vector<std::uint32_t>;
 
+/// Which of its vertices a primitive is read with: those that it uses.
+struct GltfVertices {
+  std::size_t count = 0;          ///< in the file
+  std::optional<EntryList> only;  ///< none: all
+  const EntryList* list() const { return only ? &*only : nullptr; }
+  /// Of the file, for messages.
+  std::size_t entry(std::size_t i) const { return only ? (*only)[i] : i; }
+};
+
 /// `components` floats per element (1 to 4, 16 for a matrix), of all elements or of `only`; normalized integers are
 /// mapped to [0, 1] or [-1, 1]. Throws for accessors of another type and for non-finite values. `where` names the
 /// attribute in messages.
@@ -150,8 +160,8 @@ struct GltfShape {
 
 /// Applies morph targets, then the skin, to positions, normals and tangents (glTF 2.0, sections 3.7.2.2 and 3.7.3).
 /// Normals are not unit afterwards.
-void applyShape(GltfFile& file, const tinygltf::Primitive& primitive, const GltfShape& shape, Mesh& mesh,
-                const std::string& place);
+void applyShape(GltfFile& file, const tinygltf::Primitive& primitive, const GltfShape& shape,
+                const GltfVertices& vertices, Mesh& mesh, const std::string& place);
 
 /// The file's meshes, one Mesh per triangle primitive.
 struct GltfMeshes {

@@ -16,18 +16,18 @@ namespace {
 /// For one attribute: the weighted sum of its targets' differences.
 template <typename Vector>
 void addTargets(const GltfFile& file, const tinygltf::Primitive& primitive, const std::vector<double>& weights,
-                const char* name, std::vector<Vector>& values, const std::string& place) {
+                const char* name, const GltfVertices& vertices, std::vector<Vector>& values, const std::string& place) {
   if (values.empty()) return;
   const std::size_t count = std::min(weights.size(), primitive.targets.size());
   for (std::size_t t = 0; t < count; ++t) {
     const auto found = primitive.targets[t].find(name);
     if (found == primitive.targets[t].end() || weights[t] == 0.0) continue;
     const std::string where = place + ": target " + std::to_string(t) + ": " + name;
-    const std::vector<float> moves = readFloats(file, found->second, 3, where);
-    if (moves.size() != 3 * values.size()) {
-      file.fail(where, "has " + std::to_string(moves.size() / 3) + " entries for " + std::to_string(values.size()) +
-                           " positions");
+    if (const std::size_t entries = elementCount(file, found->second, where); entries != vertices.count) {
+      file.fail(where,
+                "has " + std::to_string(entries) + " entries for " + std::to_string(vertices.count) + " positions");
     }
+    const std::vector<float> moves = readFloats(file, found->second, 3, where, vertices.list());
     for (std::size_t i = 0; i < values.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
         values[i][c] +=
@@ -42,25 +42,27 @@ struct Influences {
   std::vector<float> joints, weights;
 };
 
-std::vector<Influences> influencesOf(const GltfFile& file, const tinygltf::Primitive& primitive, std::size_t positions,
-                                     const std::string& place) {
+std::vector<Influences> influencesOf(const GltfFile& file, const tinygltf::Primitive& primitive,
+                                     const GltfVertices& vertices, const std::string& place) {
   std::vector<Influences> sets;
   for (const char* number : {"0", "1"}) {
     const auto joints = primitive.attributes.find(std::string("JOINTS_") + number);
     const auto weights = primitive.attributes.find(std::string("WEIGHTS_") + number);
     if (joints == primitive.attributes.end() || weights == primitive.attributes.end()) break;
     const std::string where = place + ": JOINTS_" + number;
-    sets.push_back({readFloats(file, joints->second, 4, where), readFloats(file, weights->second, 4, where)});
-    if (sets.back().joints.size() != 4 * positions || sets.back().weights.size() != 4 * positions) {
+    if (elementCount(file, joints->second, where) != vertices.count ||
+        elementCount(file, weights->second, where) != vertices.count) {
       file.fail(where, "has not one entry a position; export it again");
     }
+    sets.push_back({readFloats(file, joints->second, 4, where, vertices.list()),
+                    readFloats(file, weights->second, 4, where, vertices.list())});
   }
   return sets;
 }
 
 /// The joints' transforms blended by the vertex's weights, which need not sum to 1.
 glm::dmat4 skinOf(const GltfFile& file, const std::vector<Influences>& sets, std::size_t vertex,
-                  const std::vector<glm::dmat4>& joints, const std::string& place) {
+                  const GltfVertices& vertices, const std::vector<glm::dmat4>& joints, const std::string& place) {
   glm::dmat4 skin(0.0);
   double sum = 0.0;
   for (const Influences& set : sets) {
@@ -69,7 +71,7 @@ glm::dmat4 skinOf(const GltfFile& file, const std::vector<Influences>& sets, std
       if (weight == 0.0) continue;
       const float joint = set.joints[k];
       if (!(joint >= 0.0f && joint < static_cast<float>(joints.size()))) {
-        file.fail(place, "vertex " + std::to_string(vertex) + " hangs on joint " + numberText(joint) +
+        file.fail(place, "vertex " + std::to_string(vertices.entry(vertex)) + " hangs on joint " + numberText(joint) +
                              ", but the skin has " + std::to_string(joints.size()) + "; the file is damaged");
       }
       skin += weight * joints[static_cast<std::size_t>(joint)];
@@ -87,10 +89,10 @@ glm::dmat3 cofactors(const glm::dmat3& m) {
 }
 
 void applySkin(const GltfFile& file, const tinygltf::Primitive& primitive, const std::vector<glm::dmat4>& joints,
-               Mesh& mesh, const std::string& place) {
-  const std::vector<Influences> sets = influencesOf(file, primitive, mesh.positions.size(), place);
+               const GltfVertices& vertices, Mesh& mesh, const std::string& place) {
+  const std::vector<Influences> sets = influencesOf(file, primitive, vertices, place);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const glm::dmat4 skin = skinOf(file, sets, i, joints, place);
+    const glm::dmat4 skin = skinOf(file, sets, i, vertices, joints, place);
     mesh.positions[i] = glm::vec3(skin * glm::dvec4(mesh.positions[i], 1.0));
     if (!mesh.normals.empty()) {
       const glm::dvec3 normal = cofactors(glm::dmat3(skin)) * glm::dvec3(mesh.normals[i]);
@@ -111,18 +113,18 @@ bool GltfShape::atRest() const {
   return joints.empty() && std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.0; });
 }
 
-void applyShape(GltfFile& file, const tinygltf::Primitive& primitive, const GltfShape& shape, Mesh& mesh,
-                const std::string& place) {
+void applyShape(GltfFile& file, const tinygltf::Primitive& primitive, const GltfShape& shape,
+                const GltfVertices& vertices, Mesh& mesh, const std::string& place) {
   if (shape.atRest()) return;
   file.shapedPositions += mesh.positions.size();
   if (file.shapedPositions > limits::kGltfShapedPositions) {
     file.fail(place, "skins and morph targets come to more than " + std::to_string(limits::kGltfShapedPositions) +
                          " positions in all; split the file");
   }
-  addTargets(file, primitive, shape.weights, "POSITION", mesh.positions, place);
-  addTargets(file, primitive, shape.weights, "NORMAL", mesh.normals, place);
-  addTargets(file, primitive, shape.weights, "TANGENT", mesh.tangents, place);
-  if (!shape.joints.empty()) applySkin(file, primitive, shape.joints, mesh, place);
+  addTargets(file, primitive, shape.weights, "POSITION", vertices, mesh.positions, place);
+  addTargets(file, primitive, shape.weights, "NORMAL", vertices, mesh.normals, place);
+  addTargets(file, primitive, shape.weights, "TANGENT", vertices, mesh.tangents, place);
+  if (!shape.joints.empty()) applySkin(file, primitive, shape.joints, vertices, mesh, place);
 }
 
 }  // namespace boxprobe

@@ -32,6 +32,7 @@ class Builder {
       add(p, first, polygons_.ends[p]);
       first = polygons_.ends[p];
     }
+    result_.tooHard = tests_.left == 0;
     for (Mesh& mesh : result_.meshes) {
       if (polygons_.normals.empty() && !mesh.indices.empty()) computeNormals(mesh);
     }

@@ -29,6 +29,7 @@ struct Polygons {
 struct PolygonMeshes {
   std::vector<Mesh> meshes;        ///< by part
   glm::dmat4 worldFromModel{1.0};  ///< of all of them
+  bool tooHard = false;            ///< triangles may overlap: see kPolygonsTooHard
 };
 
 /// Triangles with unit normals (computed where there are none: edges sharper than 30 degrees stay sharp). Throws an

@@ -60,7 +60,8 @@ class PointGrid {
   std::vector<std::uint32_t> first_, points_;  ///< of each cell, its first; points by cell
 };
 
-/// Clips ears from a ring of corners in the plane (Meisters 1975).
+/// Clips ears from a ring of corners in the plane (Meisters 1975). Cutting one changes the two corners beside it alone,
+/// so each corner is tested once, and those two again.
 class EarClipper {
  public:
   EarClipper(std::vector<glm::dvec2> points, PolygonTests& tests) : points_(std::move(points)), tests_(tests) {
@@ -69,24 +70,35 @@ class EarClipper {
       next_.push_back(i + 1 == count ? 0 : i + 1);
       previous_.push_back(i == 0 ? count - 1 : i - 1);
     }
+    std::vector<std::uint32_t> blocking;
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (turn(i) < 0.0) reflex_.push_back(i);
+      blocks_.push_back(turn(i) < 0.0 || isFold(i));
+      if (blocks_.back()) blocking.push_back(i);
     }
-    grid_ = PointGrid(points_, reflex_);
-    testsLeft_ = 8 * points_.size() * points_.size();
+    convex_ = blocking.empty();
+    grid_ = PointGrid(points_, blocking);
   }
 
-  bool convex() const { return reflex_.empty(); }
+  bool convex() const { return convex_; }
 
   std::vector<std::array<std::uint32_t, 3>> clip() {
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    const auto count = static_cast<std::uint32_t>(points_.size());
+    isEar_.assign(count, false);
+    for (std::uint32_t i = 0; i < count; ++i) test(i);
     std::uint32_t at = 0;
-    for (std::size_t left = points_.size(); left > 3; --left) {
-      const std::uint32_t ear = findEar(at, left);
+    for (std::size_t left = count, known = 0; left > 3; --left) {
+      while (known < ears_.size() && !isEar_[ears_[known]]) ++known;
+      const std::uint32_t ear = known < ears_.size() ? ears_[known] : anyCorner(at, left);
       triangles.push_back({previous_[ear], ear, next_[ear]});
       next_[previous_[ear]] = next_[ear];
       previous_[next_[ear]] = previous_[ear];
+      isEar_[ear] = blocks_[ear] = false;
       at = next_[ear];
+      for (const std::uint32_t beside : {previous_[ear], next_[ear]}) {
+        blocks_[beside] = blocks_[beside] && (turn(beside) < 0.0 || isFold(beside));
+        test(beside);
+      }
     }
     triangles.push_back({previous_[at], at, next_[at]});
     return triangles;
@@ -95,31 +107,36 @@ class EarClipper {
  private:
   double turn(std::uint32_t i) const { return cross(points_[previous_[i]], points_[i], points_[next_[i]]); }
 
-  /// Where there is none, as in a polygon that crosses itself, a corner that turns the right way, or any.
-  std::uint32_t findEar(std::uint32_t from, std::size_t left) {
-    std::uint32_t at = from, flat = from;
-    bool found = false;
-    for (std::size_t tried = 0; tried < left; ++tried, at = next_[at]) {
-      const double turned = turn(at);
-      if (turned > 0.0 && isEmpty(at)) return at;
-      if (!found && turned >= 0.0) {
-        flat = at;
-        found = true;
-      }
-    }
-    return flat;
+  /// A corner in the place of its neighbour, or one where the outline turns back on itself: nothing lies within.
+  bool isFold(std::uint32_t i) const {
+    const glm::dvec2 in = points_[i] - points_[previous_[i]], out = points_[next_[i]] - points_[i];
+    return turn(i) == 0.0 && glm::dot(in, out) <= 0.0;
   }
 
-  /// Does no reflex corner lie in the triangle at this corner? Corners in the same place as its own do not count.
+  void test(std::uint32_t i) {
+    const bool ear = isFold(i) || (turn(i) > 0.0 && isEmpty(i));
+    if (ear && !isEar_[i]) ears_.push_back(i);
+    isEar_[i] = ear;
+  }
+
+  /// Where there is no ear, as in a polygon that crosses itself: a corner that turns the right way, or any.
+  std::uint32_t anyCorner(std::uint32_t from, std::size_t left) {
+    std::uint32_t at = from;
+    for (std::size_t tried = 0; tried < left && tests_.left > 0; ++tried, --tests_.left, at = next_[at]) {
+      if (turn(at) >= 0.0) return at;
+    }
+    return from;
+  }
+
+  /// Does no corner that blocks lie in the triangle at this one? Those in the same place as its own do not count.
   bool isEmpty(std::uint32_t ear) {
     const glm::dvec2 &a = points_[previous_[ear]], &b = points_[ear], &c = points_[next_[ear]];
     bool empty = true;
     grid_.within(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c), [&](std::uint32_t i) {
-      if (testsLeft_ == 0 || tests_.left == 0) return false;
-      --testsLeft_;
+      if (tests_.left == 0) return false;
       --tests_.left;
       const glm::dvec2& p = points_[i];
-      if (p == a || p == b || p == c || next_[previous_[i]] != i) return true;  // the last: clipped already
+      if (!blocks_[i] || p == a || p == b || p == c) return true;
       empty = !(cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0);
       return empty;
     });
@@ -127,10 +144,12 @@ class EarClipper {
   }
 
   std::vector<glm::dvec2> points_;
-  std::vector<std::uint32_t> next_, previous_, reflex_;
-  PointGrid grid_{{}, {}};  ///< of reflex corners
+  std::vector<std::uint32_t> next_, previous_;
+  std::vector<char> blocks_, isEar_;  ///< by corner
+  std::vector<std::uint32_t> ears_;   ///< in the order in which they were found
+  bool convex_ = false;
+  PointGrid grid_{{}, {}};  ///< of corners that block at first
   PolygonTests& tests_;
-  std::size_t testsLeft_ = 0;  ///< bounds the time of polygons that cross themselves
 };
 
 }  // namespace

@@ -61,6 +61,7 @@ class PartMaker {
       if (!part.hasUv) part.mesh.uv.clear();
       if (!part.hasColors) part.mesh.colors.clear();
     }
+    if (tests_.left == 0) geometry_.warnings.emplace_back(kPolygonsTooHard);
     ObjParts result;
     result.parts = std::move(parts_);
     result.worldFromModel = near_.worldFromModel;

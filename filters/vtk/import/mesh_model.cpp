@@ -6,6 +6,7 @@
 #include "filters/core/base/one_line.h"
 #include "filters/core/base/printable_text.h"
 #include "filters/io/image/image_file.h"
+#include "filters/io/mesh/polygon_triangles.h"
 #include "filters/io/obj/file_beside.h"
 #include "filters/io/obj/mtl_material.h"
 
@@ -30,6 +31,7 @@ void MeshModel::addPicture(const std::string& name) {
 
 void MeshModel::add(const Polygons& polygons, std::size_t parts, bool transparent) {
   PolygonMeshes made = meshesOf(polygons, parts, path_);
+  if (made.tooHard) model_.warnings.emplace_back(kPolygonsTooHard);
   const std::string name = std::filesystem::path(path_).stem().string();
   for (std::size_t part = 0; part < made.meshes.size(); ++part) {
     Mesh& mesh = made.meshes[part];

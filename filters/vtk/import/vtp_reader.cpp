@@ -69,14 +69,25 @@ class VtpPieces {
     return std::move(polygons_);
   }
 
+  /// Before meshes are made of them: vertices, of each corner where corners or polygons have values, and triangles.
+  void countMeshes(const Polygons& polygons) {
+    constexpr std::size_t kVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 2 * sizeof(glm::vec4);
+    const std::size_t corners = polygons.corners.size();
+    const std::size_t vertices = polygons.faceColors.empty() ? polygons.positions.size() : corners;
+    countMade(kVertex * vertices + 3 * sizeof(std::uint32_t) * corners, "PolyData");
+  }
+
   const std::set<std::string>& leftOut() const { return leftOut_; }
   bool transparent() const { return transparent_; }
 
  private:
   std::vector<double> values(const VtpArray& array, std::size_t wanted) {
-    budget_.count(wanted * sizeof(double), path_ + ": array \"" + printable(array.name.substr(0, 60)) + "\"");
+    constexpr std::size_t kBytes = 2 * sizeof(double);  // what is read, and what is kept of it
+    budget_.count(wanted * kBytes, path_ + ": array \"" + printable(array.name.substr(0, 60)) + "\"");
     return vtpValues(file_, array, wanted, path_);
   }
+
+  void countMade(std::size_t bytes, const std::string& section) { budget_.count(bytes, path_ + ": " + section); }
 
   /// Calls `take` with each cell's corners.
   template <typename Take>
@@ -96,7 +107,12 @@ class VtpPieces {
       }
       before = offsets[i];
     }
-    const std::vector<double> indices = values(*corners, static_cast<std::size_t>(before));
+    const auto cornerCount = static_cast<std::size_t>(before);
+    const std::vector<double> indices = values(*corners, cornerCount);
+    // A corner of a strip ends a triangle.
+    constexpr std::size_t kCorner = sizeof(std::uint32_t), kEnd = sizeof(std::size_t);
+    countMade(section == "Strips" ? (3 * kCorner + 2 * kEnd) * cornerCount : kCorner * cornerCount + kEnd * count,
+              section);
     std::vector<std::uint32_t> cell;
     std::size_t at = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -173,6 +189,7 @@ class VtpPieces {
       colored = true;
       const std::size_t before = piece.verts + piece.lines;
       const std::vector<glm::vec4> colors = colorsOf(array, before + piece.polys + piece.strips);
+      countMade(sizeof(glm::vec4) * polygons_.ends.size(), "CellData");
       polygons_.faceColors.resize(firstPolygon, glm::vec4(1.0f));
       for (std::size_t p = firstPolygon; p < firstStrip; ++p) {
         polygons_.faceColors.push_back(colors[before + p - firstPolygon]);
@@ -231,6 +248,7 @@ Model readVtp(const std::string& path, const LoadProgress& progress) {
   }
   MeshModel made(path);
   const Polygons polygons = pieces.whole();
+  pieces.countMeshes(polygons);
   if (!pieces.leftOut().empty()) {
     std::string text;
     for (const std::string& what : pieces.leftOut()) text += (text.empty() ? "" : ", ") + what;
