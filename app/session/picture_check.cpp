@@ -32,7 +32,8 @@ constexpr double kGlossy = 4.0;     // weight: a wrong mirror is seen at once
 constexpr double kWhite = 5.0;      // over the mean: lamps seen in mirrors would outweigh rooms
 constexpr double kNoisy = 0.5;      // of value and a tenth of white: what the truth does not know is left out
 constexpr double kCertain = 0.1;    // of the light: with less that is known the truth tells nothing
-constexpr double kBetter = 0.99;    // of the error: less is no reason to change a scene
+constexpr double kBetter = 0.99;    // of the error: one trial over another
+constexpr double kSurely = 0.95;    // over the scene's own probes: what other eyes would see, too
 constexpr double kNoWorse = 1.005;  // without a probe: it is left out
 
 std::string errorText(double error) {
@@ -338,7 +339,7 @@ class Checker {
       }
     }
     if (best && !moveOrigins(*best)) return false;
-    check_.better = best && best->error < kBetter * before->error;
+    check_.better = best && best->error < kSurely * before->error;
     if (!check_.better) {
       check_.sentences.push_back(own.empty()
                                      ? Phrase::tr("no probe made the pictures better: none is proposed")
