@@ -23,17 +23,22 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QTreeView>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "app/gui/panels/outliner.h"
 #include "app/gui/view/picture_work.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/window/scene_reporter.h"
 #include "data/scenes/glb_writer.h"
 #include "tests/gui/block_meter.h"
 #include "tests/gui/window_test.h"
@@ -228,8 +233,52 @@ class MonkeyTest : public WindowTest {
     return "button: " + name + " " + text.toStdString();
   }
 
+  std::string useTheOutliner() {
+    const auto* outliner = window_->findChild<Outliner*>();
+    QTreeView* tree = outliner->tree();
+    std::vector<QModelIndex> rows;
+    const std::function<void(const QModelIndex&)> collect = [&](const QModelIndex& parent) {
+      for (int i = 0; i < tree->model()->rowCount(parent); ++i) {
+        rows.push_back(tree->model()->index(i, 0, parent));
+        collect(rows.back());
+      }
+    };
+    collect({});
+    if (rows.empty()) return "nothing";
+    const QModelIndex row = rows[static_cast<std::size_t>(number(static_cast<int>(rows.size())))];
+    tree->scrollTo(row);
+    const QRect at = tree->visualRect(row.siblingAtColumn(number(OutlinerModel::kColumns)));
+    const auto modifiers = someModifiers();
+    now("outliner");
+    meter().during("outliner", [&] {
+      if (number(4) != 0) return QTest::mouseClick(tree->viewport(), Qt::LeftButton, modifiers, at.center());
+      const std::unique_ptr<QMenu> menu = window_->findChild<Outliner*>()->menuFor(row);
+      const QList<QAction*> actions = menu->actions();
+      if (actions.isEmpty()) return;
+      QAction* action = actions[number(actions.size())];
+      if (!action->isSeparator() && action->isEnabled() && !action->text().contains("ake")) action->trigger();
+    });
+    return "outliner";
+  }
+
+  /// Small: what is written is another test's.
+  std::string writeAReport() {
+    ReviewSettings settings;
+    settings.width = 32;
+    settings.height = 18;
+    settings.paths = 2;
+    settings.samplesPerPixel = 1;
+    window_->reporter().setSettings(settings);
+    now("report");
+    meter().during("report", [this] { window_->reporter().write(folder_.filePath("report.html")); });
+    window_->reporter().setSettings({});
+    return "report";
+  }
+
   std::string something() {
-    switch (number(10)) {
+    constexpr int kReports = 200;  // one in so many
+    if (number(kReports) == 0) return writeAReport();
+    switch (number(11)) {
       case 0:
       case 1:
         now("drag");
@@ -249,6 +298,8 @@ class MonkeyTest : public WindowTest {
         return undoOrRedo();
       case 7:
         return chooseFromTheMenu();
+      case 8:
+        return useTheOutliner();
       default:
         return useAPanel();
     }
