@@ -35,11 +35,12 @@ void requireAnother(const std::string& option, const std::string& path) {
 
 void requireShortName(const std::string& option, const std::string& path) {
   // A file is written in a folder of its own first: atomic_file.h.
+  const std::string place = option + " " + path + ": ";
   const fs::path target = writtenPath(path);
   for (const fs::path& each : {target, target.parent_path() / unfinishedFolderName() / target.filename()}) {
     std::error_code reason;
     if (fs::exists(each, reason) || reason != std::errc::filename_too_long) continue;
-    throw InputError(option + " " + path + ": " + reason.message() + "; choose a shorter one");
+    throw InputError(place + reason.message() + "; choose a shorter one");
   }
 }
 

@@ -460,6 +460,7 @@ class Checker {
     const std::vector<PlacedProbe> still = placement_.probes;
     std::vector<double> least = bestSquares_;
     std::vector<glm::dvec3> chosen;
+    chosen.reserve(still.size());
     for (const PlacedProbe& placed : still) chosen.push_back(placed.probe.origin);
     for (std::size_t turn = 0; turn < 2; ++turn) {
       for (PlacedProbe& placed : placement_.probes) {

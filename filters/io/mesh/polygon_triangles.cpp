@@ -24,25 +24,24 @@ class PointGrid {
       low_ = glm::min(low_, points[i]);
       high = glm::max(high, points[i]);
     }
-    side_ = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(chosen.size()))));
+    side_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(chosen.size()))));
     size_ = high - low_;
     const auto cellOf = [&](std::uint32_t i) { return side_ * at(points[i].y, 1) + at(points[i].x, 0); };
-    first_.assign(static_cast<std::size_t>(side_ * side_) + 1, 0);
-    for (const std::uint32_t i : chosen) ++first_[static_cast<std::size_t>(cellOf(i)) + 1];
+    first_.assign(side_ * side_ + 1, 0);
+    for (const std::uint32_t i : chosen) ++first_[cellOf(i) + 1];
     for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     points_.resize(chosen.size());
-    for (const std::uint32_t i : chosen) points_[next[static_cast<std::size_t>(cellOf(i))]++] = i;
+    for (const std::uint32_t i : chosen) points_[next[cellOf(i)]++] = i;
   }
 
   /// Calls `take` with the points of all cells between two corners of a rectangle, until it returns false.
   template <typename Take>
   void within(const glm::dvec2& low, const glm::dvec2& high, const Take& take) const {
     if (points_.empty()) return;
-    for (int y = at(low.y, 1); y <= at(high.y, 1); ++y) {
+    for (std::size_t y = at(low.y, 1); y <= at(high.y, 1); ++y) {
       // Cells of a row lie behind each other.
-      const auto first = static_cast<std::size_t>(side_ * y + at(low.x, 0));
-      const auto last = static_cast<std::size_t>(side_ * y + at(high.x, 0));
+      const std::size_t first = side_ * y + at(low.x, 0), last = side_ * y + at(high.x, 0);
       for (std::uint32_t i = first_[first]; i < first_[last + 1]; ++i) {
         if (!take(points_[i])) return;
       }
@@ -50,13 +49,14 @@ class PointGrid {
   }
 
  private:
-  int at(double value, int axis) const {
-    const double cell = size_[axis] > 0.0 ? (value - low_[axis]) / size_[axis] * side_ : 0.0;
-    return static_cast<int>(std::min(std::max(0.0, cell), side_ - 1.0));  // NaN is 0
+  std::size_t at(double value, int axis) const {
+    const auto side = static_cast<double>(side_);
+    const double cell = size_[axis] > 0.0 ? (value - low_[axis]) / size_[axis] * side : 0.0;
+    return static_cast<std::size_t>(std::min(std::max(0.0, cell), side - 1.0));  // NaN is 0
   }
 
   glm::dvec2 low_{0.0}, size_{0.0};
-  int side_ = 1;
+  std::size_t side_ = 1;
   std::vector<std::uint32_t> first_, points_;  ///< of each cell, its first; points by cell
 };
 
