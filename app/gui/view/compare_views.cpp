@@ -10,7 +10,8 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kLine = 36;  ///< logical pixels under each picture: two lines of numbers
+constexpr int kLine = 36;     ///< logical pixels under each picture: two lines of numbers
+constexpr int kNarrow = 360;  ///< in views below, the numbers stand under the choice
 constexpr int kGap = 4;
 constexpr int kMostCombo = 200;
 const QColor kGround(16, 18, 22), kText(244, 244, 244);
@@ -80,6 +81,14 @@ QFont CompareViews::fontFor(const QString& text, int width) const {
   return smaller;
 }
 
+bool CompareViews::narrow() const {
+  return place(0).width() < kNarrow;
+}
+
+int CompareViews::strip() const {
+  return narrow() ? 2 * kLine : kLine;
+}
+
 QRect CompareViews::place(int view) const {
   const int width = (this->width() - kGap) / 2, height = (this->height() - kGap) / 2;
   return {(view % 2) * (width + kGap), (view / 2) * (height + kGap), width, height};
@@ -90,8 +99,8 @@ void CompareViews::arrange() {
   for (int view = 0; view < kViews; ++view) {
     const QRect room = place(view);
     QComboBox* combo = cells_[static_cast<std::size_t>(view)].choice;
-    combo->setGeometry(room.left() + 2, room.bottom() - kLine + 4, std::min(kMostCombo, room.width() * 2 / 5),
-                       kLine - 7);
+    const int width = narrow() ? room.width() - 4 : std::min(kMostCombo, room.width() * 2 / 5);
+    combo->setGeometry(room.left() + 2, room.bottom() - strip() + 4, width, kLine - 7);
   }
   update();
 }
@@ -102,7 +111,7 @@ void CompareViews::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), QColor(70, 74, 82));
   for (int view = 0; view < kViews; ++view) {
     const Cell& cell = cells_[static_cast<std::size_t>(view)];
-    const QRect all = place(view), room = all.adjusted(0, 0, 0, -kLine);
+    const QRect all = place(view), room = all.adjusted(0, 0, 0, -strip());
     painter.fillRect(all, kGround);
     if (!cell.picture.isNull()) {
       const QSize size = cell.picture.size().scaled(room.size(), Qt::KeepAspectRatio);
@@ -115,8 +124,8 @@ void CompareViews::paintEvent(QPaintEvent*) {
       painter.fillRect(note.adjusted(-8, -5, 8, 5), QColor(16, 18, 22, 210));
       painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, cell.note);
     }
-    const QRect line(cell.choice->geometry().right() + 8, all.bottom() - kLine + 1,
-                     all.right() - cell.choice->geometry().right() - 12, kLine);
+    const int left = narrow() ? all.left() + 4 : cell.choice->geometry().right() + 8;
+    const QRect line(left, all.bottom() - kLine + 1, all.right() - left - 4, kLine);
     const QStringList texts = cell.numbers.split('\n');
     for (int i = 0; i < texts.size(); ++i) {
       const QRect own(line.left(), line.top() + i * kLine / texts.size(), line.width(), kLine / texts.size());

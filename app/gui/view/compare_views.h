@@ -49,6 +49,8 @@ class CompareViews : public QWidget {
   };
   QRect place(int view) const;                          ///< of the picture and the line under it
   QFont fontFor(const QString& text, int width) const;  ///< smaller where the text is wider
+  bool narrow() const;
+  int strip() const;  ///< height of the line under each picture
   void arrange();
 
   std::array<Cell, kViews> cells_;
