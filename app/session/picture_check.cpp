@@ -12,6 +12,7 @@
 #include "app/session/shared_work.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
+#include "filters/fit/fit_model.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/reference/path/reference_path.h"
 #include "filters/reference/trace/picture_rays.h"
@@ -27,7 +28,6 @@ constexpr int kViewWidth = 96, kViewHeight = 54;                       // for pe
 constexpr std::size_t kLeastEyes = 16, kMostEyes = 64, kRoomEyes = 2;  // at most; of each room, where there are many
 constexpr std::size_t kMostParts = 4, kMostMoved = 4;
 constexpr int kFaceSize = 64;       // of captures: sixteen times as fast as what is drawn later
-constexpr int kBounces = 3;         // of light between surfaces, where one makes rooms too dark
 constexpr double kGlossy = 4.0;     // weight: a wrong mirror is seen at once
 constexpr double kWhite = 5.0;      // over the mean: lamps seen in mirrors would outweigh rooms
 constexpr double kNoisy = 0.5;      // of value and a tenth of white: what the truth does not know is left out
@@ -60,7 +60,7 @@ std::vector<Probe> measured(std::vector<Probe> probes) {
 }
 
 std::vector<Probe> withBounces(std::vector<Probe> probes) {
-  for (Probe& probe : probes) probe.bounces = std::max(probe.bounces, kBounces);
+  for (Probe& probe : probes) probe.bounces = std::max(probe.bounces, kRoomBounces);
   return probes;
 }
 
@@ -314,7 +314,7 @@ class Checker {
       const auto errors = errorsWith(bounced);
       if (!errors) return false;
       check_.sentences.push_back(Phrase::tr("the scene's own probes with %1 bounces: error %2")
-                                     .arg(std::to_string(kBounces))
+                                     .arg(std::to_string(kRoomBounces))
                                      .arg(errorText(errors->error)));
       if (!best || errors->error < kBetter * best->error) {
         best = *errors, choice = Choice::OwnWithBounces;
@@ -341,9 +341,10 @@ class Checker {
     if (best && !moveOrigins(*best)) return false;
     check_.better = best && best->error < kSurely * before->error;
     if (!check_.better) {
-      check_.sentences.push_back(own.empty()
-                                     ? Phrase::tr("no probe made the pictures better: none is proposed")
-                                     : Phrase::tr("nothing measured better than the scene's own probes, which stay"));
+      const Phrase none = own.empty()
+                              ? Phrase::tr("no probe made the pictures better by %1 %: none is proposed")
+                              : Phrase::tr("nothing measured better by %1 % than the scene's own probes, which stay");
+      check_.sentences.push_back(none.arg(std::to_string(std::lround(100.0 * (1.0 - kSurely)))));
       placement_.probes.clear();
       placement_.kept = own;
       return true;
@@ -351,7 +352,7 @@ class Checker {
     check_.after = *best;
     if (choice == Choice::OwnWithBounces && placement_.probes.empty()) {
       check_.sentences.push_back(
-          Phrase::tr("the scene's own probes stay, with %1 bounces").arg(std::to_string(kBounces)));
+          Phrase::tr("the scene's own probes stay, with %1 bounces").arg(std::to_string(kRoomBounces)));
     }
     return true;
   }
@@ -502,8 +503,8 @@ class Checker {
     std::vector<PlacedProbe> bounced = placement_.probes;
     bool more = false;
     for (PlacedProbe& placed : bounced) {
-      more = more || placed.probe.bounces < kBounces;
-      placed.probe.bounces = std::max(placed.probe.bounces, kBounces);
+      more = more || placed.probe.bounces < kRoomBounces;
+      placed.probe.bounces = std::max(placed.probe.bounces, kRoomBounces);
     }
     if (!more) return true;
     std::swap(bounced, placement_.probes);
@@ -512,7 +513,7 @@ class Checker {
     const bool better = errors->error < kBetter * best.error;
     check_.sentences.push_back((better ? Phrase::tr("%1 bounces of light in the captures: error %2 -> %3")
                                        : Phrase::tr("%1 bounces of light in the captures: error %2 -> %3, left out"))
-                                   .arg(std::to_string(kBounces))
+                                   .arg(std::to_string(kRoomBounces))
                                    .arg(errorText(best.error))
                                    .arg(errorText(errors->error)));
     if (better) {

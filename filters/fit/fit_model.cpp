@@ -17,10 +17,6 @@ namespace boxprobe {
 
 namespace {
 
-/// Walls of a room light one another. With one capture's light alone, pictures of six of nine of other people's rooms
-/// were up to six times as wrong as with three; those of three were better (tests/bench/README.md).
-constexpr int kRoomBounces = 3;
-
 /// Points whose hull contains nearly every visible triangle, in the world; a sample of large models. `blending`: of
 /// transparent surfaces, or of all others.
 std::vector<glm::dvec3> cornersOf(const Scene& scene, const TriangleRays::Models& models, bool blending) {

@@ -172,6 +172,17 @@ TEST_F(Reference, RefusesANameThatIsTooLongBeforeItTraces) {
   EXPECT_THAT(folder.names(), SizeIs(0));
 }
 
+// A share's file has a longer name than the picture.
+TEST_F(Reference, RefusesANameThatIsTooLongForAShareBeforeItTraces) {
+  outcome = runProgram({"render", demoScene("room"), "-o", folder.path(std::string(245, 'n') + ".png"), "--technique",
+                        "reference-path", "--rays", "16384", "--shard", "1/2"},
+                       DisplayKind::Unset);
+  EXPECT_EQ(outcome.exitStatus, 2) << outcome.err;
+  ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("choose a shorter one"));
+  EXPECT_THAT(folder.names(), SizeIs(0));
+}
+
 TEST_F(Reference, OneFileSpeltInTwoWaysIsNotWrittenTwice) {
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path(folder.path("."));

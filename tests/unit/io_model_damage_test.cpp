@@ -132,6 +132,8 @@ TEST_F(ModelDamage, ReferencesToNothingAreRefused) {
   EXPECT_EQ(problem([](GlbBuilder& g) { g.json["nodes"][0]["children"] = {8}; }),
             "node 0 \"tri\": node 8 does not exist; the file has 1");
   EXPECT_EQ(problem([](GlbBuilder& g) { g.json["scene"] = 5; }), "scene: scene 5 does not exist; the file has 1");
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.json["meshes"][0]["primitives"][0]["indices"] = -5; }),
+            "mesh 0 \"mesh0\": primitive 0: indices must be the number of an accessor");
   EXPECT_EQ(problem([](GlbBuilder& g) { g.json["meshes"][0]["primitives"][0]["material"] = 2; }),
             "mesh 0 \"mesh0\": primitive 0: material 2 does not exist; the file has 0");
   EXPECT_EQ(problem([](GlbBuilder& g) { g.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 44; }),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
@@ -61,6 +62,26 @@ class VtpReader : public TemporaryFolder {
     data->GetPointData()->AddArray(colors);
   }
 
+  /// With its arrays behind the XML, as they are.
+  std::string appended(vtkPolyData* data) const {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(data);
+    writer->SetFileName(file("w.vtp").c_str());
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    EXPECT_EQ(writer->Write(), 1);
+    return read("w.vtp");
+  }
+
+  /// Its one piece so many times.
+  static std::string withPieces(const std::string& whole, int count) {
+    const std::string close = "</Piece>";
+    const std::size_t begin = whole.find("<Piece"), end = whole.find(close) + close.size();
+    std::string text = whole.substr(0, begin);
+    for (int i = 0; i < count; ++i) text += whole.substr(begin, end - begin);
+    return text + whole.substr(end);
+  }
+
   std::string refusal(const std::string& bytes) const {
     const std::string path = write("m.vtp", bytes);
     return errorText([&] { readModel(path); });
@@ -110,13 +131,7 @@ TEST_F(VtpReader, EveryFormThatVtkWritesIsTheSameMesh) {
 TEST_F(VtpReader, DamageIsSaidAndCostsNothing) {
   vtkNew<vtkPolyData> data;
   fill(data, 20);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->SetFileName(file("w.vtp").c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  ASSERT_EQ(writer->Write(), 1);
-  const std::string whole = read("w.vtp");
+  const std::string whole = appended(data);
   std::size_t refused = 0;
   constexpr std::size_t kTries = 300;
   for (std::size_t i = 0; i < kTries; ++i) {
@@ -136,25 +151,29 @@ TEST_F(VtpReader, DamageIsSaidAndCostsNothing) {
 TEST_F(VtpReader, PiecesThatShareTheirBytesCountEachTime) {
   vtkNew<vtkPolyData> data;
   fill(data, 60);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->SetFileName(file("w.vtp").c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  ASSERT_EQ(writer->Write(), 1);
-  const std::string whole = read("w.vtp"), close = "</Piece>";
-  const std::size_t begin = whole.find("<Piece"), end = whole.find(close) + close.size();
-  const auto withPieces = [&](int count) {
-    std::string text = whole.substr(0, begin);
-    for (int i = 0; i < count; ++i) text += whole.substr(begin, end - begin);
-    return text + whole.substr(end);
-  };
+  const std::string whole = appended(data);
   const std::uint64_t usual = std::exchange(readBudgetBytes(), 4 << 20);
-  EXPECT_EQ(readModel(write("m.vtp", withPieces(1))).meshes.size(), 1u);
-  const std::string problem = refusal(withPieces(300));
+  EXPECT_EQ(readModel(write("m.vtp", withPieces(whole, 1))).meshes.size(), 1u);
+  const std::string problem = refusal(withPieces(whole, 300));
   readBudgetBytes() = usual;
   EXPECT_NE(problem.find("comes, with all before it, to more than"), std::string::npos) << problem;
-  EXPECT_EQ(readModel(write("m.vtp", withPieces(300))).meshes.size(), 1u);
+  EXPECT_EQ(readModel(write("m.vtp", withPieces(whole, 300))).meshes.size(), 1u);
+}
+
+/// What pieces before had is not counted again for each.
+TEST_F(VtpReader, ManyPiecesWithColoursOfCellsAreRead) {
+  vtkNew<vtkPolyData> data;
+  fill(data, 4);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("of cells");
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+    colors->InsertNextTuple3(10.0 * static_cast<double>(i), 7, 3);
+  data->GetCellData()->SetScalars(colors);
+  const std::string pieces = withPieces(appended(data), 1000);
+  const std::uint64_t usual = std::exchange(readBudgetBytes(), 4 << 20);
+  EXPECT_EQ(readModel(write("m.vtp", pieces)).meshes.size(), 1u);
+  readBudgetBytes() = usual;
 }
 
 TEST_F(VtpReader, WhatIsMadeOfNumbersCountsToo) {

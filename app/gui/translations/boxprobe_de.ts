@@ -5635,12 +5635,12 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>dem ganzen Modell angepasst, was messbar besser war als seine Räume</translation>
     </message>
     <message>
-        <source>no probe made the pictures better: none is proposed</source>
-        <translation>keine Sonde hat die Bilder verbessert: keine wird vorgeschlagen</translation>
+        <source>no probe made the pictures better by %1 %: none is proposed</source>
+        <translation>keine Sonde hat die Bilder um %1 % verbessert: keine wird vorgeschlagen</translation>
     </message>
     <message>
-        <source>nothing measured better than the scene&apos;s own probes, which stay</source>
-        <translation>nichts war messbar besser als die Sonden der Szene, die bleiben</translation>
+        <source>nothing measured better by %1 % than the scene&apos;s own probes, which stay</source>
+        <translation>nichts war um %1 % messbar besser als die Sonden der Szene, die bleiben</translation>
     </message>
     <message>
         <source>the scene&apos;s own probes stay, with %1 bounces</source>

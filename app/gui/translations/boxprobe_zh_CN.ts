@@ -5635,12 +5635,12 @@ one lookup, on face %1</source>
         <translation>拟合到整个模型，测得优于各房间</translation>
     </message>
     <message>
-        <source>no probe made the pictures better: none is proposed</source>
-        <translation>没有探针能改善画面：不作建议</translation>
+        <source>no probe made the pictures better by %1 %: none is proposed</source>
+        <translation>没有探针能使画面改善 %1 %：不作建议</translation>
     </message>
     <message>
-        <source>nothing measured better than the scene&apos;s own probes, which stay</source>
-        <translation>没有比场景自身探针测得更好的方案，保留原探针</translation>
+        <source>nothing measured better by %1 % than the scene&apos;s own probes, which stay</source>
+        <translation>没有方案测得比场景自身探针好 %1 %，保留原探针</translation>
     </message>
     <message>
         <source>the scene&apos;s own probes stay, with %1 bounces</source>

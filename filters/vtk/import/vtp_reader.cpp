@@ -189,7 +189,7 @@ class VtpPieces {
       colored = true;
       const std::size_t before = piece.verts + piece.lines;
       const std::vector<glm::vec4> colors = colorsOf(array, before + piece.polys + piece.strips);
-      countMade(sizeof(glm::vec4) * polygons_.ends.size(), "CellData");
+      countMade(sizeof(glm::vec4) * (polygons_.ends.size() - polygons_.faceColors.size()), "CellData");
       polygons_.faceColors.resize(firstPolygon, glm::vec4(1.0f));
       for (std::size_t p = firstPolygon; p < firstStrip; ++p) {
         polygons_.faceColors.push_back(colors[before + p - firstPolygon]);
