@@ -20,6 +20,7 @@ const dvec3 kLow(-1.7, 0.3, -2.6), kHigh(3.4, 2.8, 1.9);
 struct SlitRoom : SightLines {
   bool open = false;
   bool empty() const override { return false; }
+  Box bounds() const override { return {kLow, kHigh}; }
   bool blocked(const dvec3&, const dvec3&, bool) const override { return false; }
   std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
     double nearest = 1e300;

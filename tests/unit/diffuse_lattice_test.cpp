@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -73,6 +74,30 @@ TEST(DiffuseLattice, HasANodeAMetreFromWallToWall) {
   const DiffuseLattice flat = makeDiffuseLattice(plainMeans(captureOf(4, someLight)), thin);
   EXPECT_NEAR(flat.low.y, thin.boxMin.y + 0.05f, 1e-6f);
   EXPECT_NEAR(flat.high.y, thin.boxMin.y + 0.15f, 1e-6f);
+}
+
+// A room in millimetres: its nodes stand as far from its walls as there is room for unevenness.
+TEST(DiffuseLattice, LengthsAreOfTheBox) {
+  EXPECT_EQ(metreOf({4.6f, 2.5f, 3.8f}), 1.0);
+  EXPECT_EQ(metreOf({10.0f, 90.0f, 38.0f}), 1.0);
+  EXPECT_NEAR(metreOf({400.0f, 80.0f, 51.0f}), 5.1, 1e-6);
+  EXPECT_NEAR(metreOf({5400.0f, 2130.0f, 5100.0f}), 852.0, 1e-9);
+  EXPECT_EQ(metreOf({std::nanf(""), std::nanf(""), std::nanf("")}), 1.0);
+  const float infinite = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(metreOf({infinite, infinite, infinite}), 1.0);
+  EXPECT_EQ(metreOf({-5.0f, 20.0f, 30.0f}), 1.0);
+  CubeMap means(4, 1);
+  for (int face = 0; face < 6; ++face) std::fill_n(means.face(0, face), 4 * 4 * 4, 1.0f);
+  shading::ProbeShape probe{};
+  probe.boxMin = {-2400.0f, -1130.0f, -3100.0f};
+  probe.boxMax = {3000.0f, 1000.0f, 2000.0f};
+  const DiffuseLattice lattice = makeDiffuseLattice(plainMeans(means), probe);
+  EXPECT_EQ(lattice.nodes, ivec3(7, 4, 7));  // of 5400, 2130 and 5100, one each 852
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(lattice.inset[axis], 0.15f * 852.0f, 1e-3f);
+    EXPECT_NEAR(lattice.low[axis], probe.boxMin[axis] + 0.15f * 852.0f, 1e-2f);
+    EXPECT_NEAR(lattice.high[axis], probe.boxMax[axis] - 0.15f * 852.0f, 1e-2f);
+  }
 }
 
 TEST(DiffuseLattice, MeansKeepTheLight) {

@@ -14,6 +14,7 @@ class Plate : public SightLines {
  public:
   Plate(glm::dvec2 low, glm::dvec2 high, double height) : low_(low), high_(high), height_(height) {}
   bool empty() const override { return false; }
+  Box bounds() const override { return {{low_.x, height_, low_.y}, {high_.x, height_, high_.y}}; }
   bool blocked(const glm::dvec3& from, const glm::dvec3& to, bool) const override {
     const double t = (height_ - from.y) / (to.y - from.y);
     if (!(t > 0.0 && t < 1.0)) return false;

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include "filters/core/geometry/lamp_reach.h"
 
@@ -42,6 +43,13 @@ struct World : SightLines {
     return in <= out && out > 0.0;
   }
   bool empty() const override { return false; }
+  Box bounds() const override {
+    Box all{dvec3(1e300), dvec3(-1e300)};
+    for (const auto* blocks : {&rooms, &things}) {
+      for (const Block& b : *blocks) all = {glm::min(all.min, b.low), glm::max(all.max, b.high)};
+    }
+    return all;
+  }
   std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
     std::optional<Met> nearest;
     const auto add = [&](double t, bool back) {
@@ -466,9 +474,30 @@ TEST(ProbeReach, GoesThroughOpeningsOnly) {
   EXPECT_NEAR(turned.min.x, -0.25, 1e-12);
   EXPECT_NEAR(turned.max.x, 3.4, 1e-12);
 
-  // Farther than a wall is thick, an influence is for what stands outside.
-  rooms.lit.influence = {{0.05, 0.0, -2.1}, {3.85, 2.6, 2.4}};
-  EXPECT_TRUE(sightTask(rooms.scene, rooms.lamps, rooms.lit).reach.none());
+  // Farther than a wall is thick there is more to light: as far as there are surfaces, whatever stands between.
+  rooms.lit.rotationDegrees = {};
+  rooms.lit.influence = {{-5.0, -0.9, -2.1}, {3.4, 2.6, 3.6}};
+  for (const World* world : {&std::as_const(rooms.world), &closed.world}) {
+    const Box next = openBox(*world, sightTask(rooms.scene, rooms.lamps, rooms.lit));
+    EXPECT_NEAR(next.min.x, -4.0, 1e-12) << "the walls around both";
+    EXPECT_NEAR(next.max.x, 3.4, 1e-12);
+    EXPECT_NEAR(next.min.y, -0.9, 1e-12) << "the influence ends before them";
+    EXPECT_NEAR(next.max.z, 3.0, 1e-12);
+  }
+}
+
+// Nodes that have to light too much would stand too far apart.
+TEST(ProbeReach, IsBoundedByTheBox) {
+  TwoRooms rooms(false);
+  rooms.world.things.push_back({{-40.0, 0.0, -30.0}, {20.0, 0.1, 50.0}});
+  rooms.lit.influence = {{-100.0, 0.0, -2.1}, {100.0, 2.6, 100.0}};
+  const Box open = openBox(rooms.world, sightTask(rooms.scene, rooms.lamps, rooms.lit));
+  // 3.3 x 2.6 x 4.5: five times the shortest side. Of 40.1 and 16.6 along x, both by the same share.
+  EXPECT_NEAR(open.size().x, 13.0, 1e-12);
+  EXPECT_NEAR(open.size().z, 13.0, 1e-12);
+  EXPECT_NEAR((0.1 - open.min.x) / (open.max.x - 3.4), 40.1 / 16.6, 1e-9);
+  EXPECT_NEAR(open.min.z, -2.1, 1e-12);
+  EXPECT_NEAR(open.size().y, 2.6, 1e-12);
 }
 
 // Within the door, between both boxes, nodes tell the lamp's light from its shadow as rays do.

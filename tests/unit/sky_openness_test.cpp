@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -80,7 +81,7 @@ class Things : public SightLines {
     return false;
   }
 
-  Box bounds() const {
+  Box bounds() const override {
     Box box{glm::dvec3(1e300), glm::dvec3(-1e300)};
     for (const Ball& ball : balls) {
       box.min = glm::min(box.min, ball.middle - ball.radius);
@@ -116,6 +117,7 @@ double quadrature(const SightLines& things, const glm::dvec3& place, const glm::
 class Sheets : public SightLines {
  public:
   bool empty() const override { return false; }
+  Box bounds() const override { return {glm::dvec3(0.0), glm::dvec3(2.0)}; }
   bool blocked(const glm::dvec3& from, const glm::dvec3& to, bool) const override {
     const double length = glm::length(to - from);
     const auto met = first(from, (to - from) / length);

@@ -23,6 +23,7 @@ const glm::vec3 kAlbedo(0.8f, 0.6f, 0.3f);
 // A closed room of one albedo; the place of the capture is walled in, so that it sees nothing of the room.
 struct Room : SightLines {
   bool empty() const override { return false; }
+  Box bounds() const override { return {kLow, kHigh}; }
   bool blocked(const dvec3& from, const dvec3&, bool) const override { return glm::length(from) < 1e-6; }
   std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
     Met met;
@@ -204,6 +205,7 @@ TEST(TracedLattice, BrightThingsThatAreNotDrawnBringNodesCloser) {
 struct Floor : SightLines {
   explicit Floor(double height) : height_(height) {}
   bool empty() const override { return false; }
+  Box bounds() const override { return {{-1e9, height_, -1e9}, {1e9, height_, 1e9}}; }
   bool blocked(const dvec3& from, const dvec3& to, bool) const override {
     return glm::length(from) < 1e-6 || (from.y > height_) != (to.y > height_);
   }
@@ -268,6 +270,7 @@ struct Beams : SightLines {
     return at - std::floor(at) < kCovered;
   }
   bool empty() const override { return false; }
+  Box bounds() const override { return {{-1e9, kHeight, -1e9}, {1e9, kHeight, 1e9}}; }
   bool blocked(const dvec3&, const dvec3&, bool) const override { return false; }
   std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
     if (d.y <= 0.0) return std::nullopt;
@@ -322,6 +325,7 @@ TEST(TracedLattice, SkyBetweenBeamsIsNotTheBeams) {
 struct TwoRooms : SightLines {
   static constexpr double kWall = 0.05;  // half of it, about x = 0
   bool empty() const override { return false; }
+  Box bounds() const override { return {kLow, kHigh}; }
   static bool within(const dvec3& p) {
     return p.x > kLow.x && p.x < kHigh.x && p.y > kLow.y && p.y < kHigh.y && p.z > kLow.z && p.z < kHigh.z &&
            std::abs(p.x) > kWall;

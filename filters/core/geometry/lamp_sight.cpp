@@ -12,6 +12,7 @@
 #include <set>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/math/cube/diffuse_lattice.h"
 
 namespace boxprobe {
 
@@ -61,7 +62,7 @@ class Nodes {
  public:
   Nodes(const SightTask& task, const glm::ivec3& count)
       : n(count), middle_(task.box.center()), turn_(rotationMatrix(task.rotationDegrees)) {
-    const glm::dvec3 size = task.box.size(), inset = glm::min(glm::dvec3(0.02), 0.01 * size);
+    const glm::dvec3 size = task.box.size(), inset = glm::min(glm::dvec3(0.02 * metreOf(size)), 0.01 * size);
     low = -0.5 * size + inset;
     high = 0.5 * size - inset;
     step = (high - low) / glm::dvec3(n - 1);

@@ -1,5 +1,5 @@
-// How far beyond its box a probe's nodes stand: in a doorway, where its influence goes on through an opening in the
-// box's side, there are nodes as well. Called where lattices are derived and shadows traced; plain values.
+// How far beyond its box a probe's nodes stand: as far as its influence has surfaces, in a doorway and in the rooms
+// beyond that it lights. Called where lattices are derived and shadows traced; plain values.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -9,6 +9,9 @@
 
 namespace boxprobe {
 
+/// In metreOf() the box: what is farther from it is behind a wall, or through an opening in one.
+constexpr double kWallThickness = 0.4;
+
 /// Beyond the box's sides, along its axes, scene units, each at least 0.
 struct ProbeReach {
   glm::dvec3 low{0.0}, high{0.0};
@@ -17,13 +20,15 @@ struct ProbeReach {
 };
 
 /// As far as the influence goes beyond the box; nothing where that is no more than what keeps a wall's own surface
-/// inside (up to 0.12), nor where it is more than a wall's thickness (0.4), and meant for what stands outside. All in
-/// one frame along the box's axes, scene units.
+/// inside (up to 0.12). All in one frame along the box's axes, scene units.
 ProbeReach influenceReach(const glm::dvec3& boxMin, const glm::dvec3& boxMax, const glm::dvec3& influenceMin,
                           const glm::dvec3& influenceMax);
 
-/// The same, but nothing at sides without an opening: those through which hardly a ray straight outwards comes so far.
-/// `low`, `high`: the box, relative to `originWorld`, along its axes.
+/// The part of it where there are surfaces. Of up to a wall's thickness (0.4) nothing at sides without an opening:
+/// those through which hardly a ray straight outwards comes so far. Where nodes would stand too far from each other for
+/// the box itself, it is less, at both ends of an axis by the same share: with the box it is at most five times as long
+/// as the box's shortest side, or a quarter longer than the box. `low`, `high`: the box, relative to `originWorld`,
+/// along its axes.
 ProbeReach openReach(const ProbeReach& asked, const SightLines& lines, const glm::dvec3& originWorld,
                      const glm::dmat3& worldFromBox, const glm::dvec3& low, const glm::dvec3& high);
 

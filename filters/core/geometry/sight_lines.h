@@ -31,6 +31,8 @@ class SightLines {
   virtual bool blocked(const glm::dvec3& from, const glm::dvec3& to, bool shining) const = 0;
   /// The first surface from `from` along `direction` (unit), world; nothing: the sky.
   virtual std::optional<Met> first(const glm::dvec3& from, const glm::dvec3& direction) const = 0;
+  /// Around all surfaces, world; a point at the origin if there is none.
+  virtual Box bounds() const = 0;
 };
 
 /// Sight lines through a scene as it stands still; `models` in the order of scene.models. Throws WorkError.

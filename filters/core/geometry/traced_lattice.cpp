@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "filters/core/geometry/probe_reach.h"
 #include "filters/math/shared/shared_math.h"
 
 namespace boxprobe {
@@ -101,10 +102,8 @@ class NodeTracer {
     const glm::vec3 size = base.high - base.low;
     margin_ = 3.0e-4 * static_cast<double>(std::max({size.x, size.y, size.z}));
     far_ = 1.0e4 * static_cast<double>(std::max({size.x, size.y, size.z}));
-    // The lattice's box: its nodes are 0.15 within, at most a quarter of it (LatticeSettings::inset).
-    const glm::vec3 inset = glm::min(glm::vec3(0.15f), 0.5f * size);
-    low_ = base.low - inset;
-    high_ = base.high + inset;
+    low_ = base.low - base.inset;
+    high_ = base.high + base.inset;
     for (const std::size_t lamp : in.drawn) {
       polygons_.push_back(lampPolygon(in.lamps->lamps[lamp], in.originWorld));
     }
@@ -184,22 +183,31 @@ class NodeTracer {
     return glm::all(glm::greaterThanEqual(p, low_ - more)) && glm::all(glm::lessThanEqual(p, high_ + more));
   }
 
+  // Where nodes stand, and not in the box, nor within a wall's thickness of it.
+  bool beyondBox(const glm::dvec3& inProbe) const {
+    const glm::vec3 p(inProbe), wall(static_cast<float>(kWallThickness * metreOf(base_.boxHigh - base_.boxLow)));
+    return within(inProbe) &&
+           (glm::any(glm::lessThan(p, base_.boxLow - wall)) || glm::any(glm::greaterThan(p, base_.boxHigh + wall)));
+  }
+
   glm::vec3 ofSurface(const glm::dvec3& from, std::size_t ray, const SightLines::Met& hit,
                       std::vector<FarEnd>& ends) const {
     const glm::dvec3& direction = directions_[ray];
     const glm::dvec3 at = from + hit.distance * direction, off = at + margin_ * hit.normal, way = at - in_.originWorld;
     const double length = glm::length(way);
+    const glm::dvec3 inProbe = glm::transpose(in_.worldFromProbe) * (off - in_.originWorld);
     if (onLamp(in_, hit, at, direction, 0.1 * margin_)) return glm::vec3(0.0f);  // its shape gives it all
     if (length > 0.0 && glm::dot(way, hit.normal) < 0.0 && !in_.lines->blocked(in_.originWorld, off, true)) {
       const double towards = std::max(-glm::dot(hit.normal, direction), 0.05);
       const double seen = -glm::dot(hit.normal, way) / length, ratio = hit.distance / length;
-      const auto light = ofCovered(way / length, texelsPerRay_ * ratio * ratio * seen / towards);
+      // Seen through a door, a coarse texel would have the light of the wall beside it.
+      const double most = beyondBox(inProbe) ? 1.0 : 1.0e300;
+      const auto light = ofCovered(way / length, std::min(texelsPerRay_ * ratio * ratio * seen / towards, most));
       if (light) return *light;
     }
     if (const auto seen = throughOpening(from, direction, hit.distance)) {
       if (const auto light = ofCovered(*seen, texelsPerRay_)) return *light;
     }
-    const glm::dvec3 inProbe = glm::transpose(in_.worldFromProbe) * (off - in_.originWorld);
     if (!sky_.empty() && !within(inProbe) && !in_.lines->first(off, hit.normal)) {
       return hit.emitted + hit.albedo * (arriving(off, hit.normal) + underSky(hit.normal));
     }
@@ -313,16 +321,15 @@ void cutWays(DiffuseLattice& lattice, const std::vector<char>& known, const Latt
       if (p[axis] + 1 >= n[axis]) continue;
       const std::size_t next = node + static_cast<std::size_t>(axis == 0 ? 1 : axis == 1 ? n.x : n.x * n.y);
       // Beside the way by a tenth of it, and never through a wall that the outermost nodes stand before.
-      const auto turned = [&](int of, double most) {
+      const auto turned = [&](int of) {
         glm::dvec3 v(0.0);
-        v[of] = std::min(0.1 * step[of], most);
+        v[of] = std::min(0.1 * step[of], 7.0 / 15.0 * static_cast<double>(lattice.inset[of]));
         return in.worldFromProbe * v;
       };
       glm::dvec3 along(0.0);
       along[axis] = step[axis];
-      const CutWay way =
-          cutWay(*in.lines, in.originWorld + in.worldFromProbe * from, in.worldFromProbe * along,
-                 turned((axis + 1) % 3, 0.07), turned((axis + 2) % 3, 0.07), known[node] != 0, known[next] != 0);
+      const CutWay way = cutWay(*in.lines, in.originWorld + in.worldFromProbe * from, in.worldFromProbe * along,
+                                turned((axis + 1) % 3), turned((axis + 2) % 3), known[node] != 0, known[next] != 0);
       if (way.cut <= 0.0f) continue;
       ++found;
       cuts[static_cast<std::size_t>(axis) * count + node] = glm::vec4(way.cut, way.begins, way.ends, 0.0f);

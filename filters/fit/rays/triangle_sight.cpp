@@ -1,5 +1,6 @@
 #include "filters/fit/rays/triangle_sight.h"
 
+#include <glm/common.hpp>
 #include <set>
 #include <string>
 
@@ -51,6 +52,13 @@ class TriangleSight : public SightLines {
         nearest = Met{hit->distance, hit->back, hit->normalWorld, hit->albedo, hit->emitted};
     }
     return nearest;
+  }
+  Box bounds() const override {
+    if (!shining_ || shining_->empty())
+      return solid_->empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : solid_->bounds();
+    if (solid_->empty()) return shining_->bounds();
+    return {glm::min(solid_->bounds().min, shining_->bounds().min),
+            glm::max(solid_->bounds().max, shining_->bounds().max)};
   }
 
  private:

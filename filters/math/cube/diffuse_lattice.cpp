@@ -103,6 +103,12 @@ shading::LatticeShape DiffuseLattice::shape() const {
   return shape;
 }
 
+double metreOf(const glm::vec3& boxSize) {
+  const auto shortest = static_cast<double>(std::min({boxSize.x, boxSize.y, boxSize.z}));
+  if (!std::isfinite(shortest)) return 1.0;
+  return shortest > 100.0 ? shortest / 2.5 : std::max(1.0, 0.1 * shortest);
+}
+
 glm::ivec3 latticeNodes(const glm::vec3& size, float spacing) {
   glm::ivec3 nodes(2);
   for (int axis = 0; axis < 3; ++axis) {
@@ -157,10 +163,13 @@ DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShap
   if (means.empty()) return lattice;
   const glm::vec3 low = probe.boxMin - settings.reachLow;
   const glm::vec3 size = glm::max(probe.boxMax + settings.reachHigh - low, glm::vec3(0.0f));
-  lattice.nodes = latticeNodes(size, settings.spacing);
-  const glm::vec3 inset = glm::min(glm::vec3(settings.inset), 0.25f * size);
-  lattice.low = low + inset;
-  lattice.high = low + size - inset;
+  lattice.boxLow = probe.boxMin;
+  lattice.boxHigh = probe.boxMax;
+  const auto metre = static_cast<float>(metreOf(probe.boxMax - probe.boxMin));
+  lattice.nodes = latticeNodes(size, settings.spacing * metre);
+  lattice.inset = glm::min(glm::vec3(settings.inset * metre), 0.25f * size);
+  lattice.low = low + lattice.inset;
+  lattice.high = low + size - lattice.inset;
   const auto nodeCount = static_cast<std::size_t>(lattice.nodes.x * lattice.nodes.y * lattice.nodes.z);
   lattice.texels.resize(DiffuseLattice::kParts * nodeCount);
   const std::vector<LatticeRay> rays = latticeRays(raysOfNode(settings.rays, nodeCount), worldFromProbe);

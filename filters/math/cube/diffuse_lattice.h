@@ -15,8 +15,8 @@
 namespace boxprobe {
 
 struct LatticeSettings {
-  float spacing = 1.0f;  ///< of the nodes, about, scene units, > 0
-  float inset = 0.15f;   ///< of the outermost nodes from the walls, scene units; at most a quarter of the box
+  float spacing = 1.0f;  ///< of the nodes, about, in metreOf() the box, > 0
+  float inset = 0.15f;   ///< of the outermost nodes from the walls, in metreOf() the box; at most a quarter of it
   glm::vec3 reachLow{0.0f}, reachHigh{0.0f};  ///< nodes stand so far beyond the box's sides
   int rays = 1024;  ///< a node; fewer, down to an eighth, where there are more nodes than in a room
 };
@@ -29,6 +29,8 @@ struct DiffuseLattice : shading::LatticeSampler {
   glm::ivec3 nodes{0};  ///< along each axis of the box, 2 to kMostNodes
   glm::vec3 low{0.0f};  ///< of the first and the last node, probe frame
   glm::vec3 high{0.0f};
+  glm::vec3 inset{0.0f};                  ///< from the ends of what it was made for
+  glm::vec3 boxLow{0.0f}, boxHigh{0.0f};  ///< the probe's box, probe frame; nodes may stand beyond it
   /// Parts of the nodes one after another: all nodes' first texels, x fastest, then y, then z; then all second ones.
   std::vector<glm::vec4> texels;
   /// In that order, of the ways from a node to the next along x, then y, then z: how much of it is cut; that times
@@ -41,6 +43,11 @@ struct DiffuseLattice : shading::LatticeSampler {
   /// For latticeIrradiance(); good for as long as this is.
   shading::LatticeShape shape() const;
 };
+
+/// What the lengths of things in a box are counted in, scene units: 1, and a tenth of its shortest side where that is
+/// longer than 10. A side above 100 is in another unit, and counts as 2.5: a model in millimetres has a room of 2,500
+/// of them, whose walls are no 0.1 thick.
+double metreOf(const glm::vec3& boxSize);
 
 /// Along each axis of a box of that size: from wall to wall, 2 to DiffuseLattice::kMostNodes. A size or spacing that is
 /// no number above 0 gives 2.

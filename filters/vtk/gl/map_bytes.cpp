@@ -33,7 +33,8 @@ std::size_t captureScratchBytes(int faceSize) {
 
 std::size_t latticeBytes(const glm::dvec3& boxSize) {
   // As many as it may have, where there is a door: tracedSpacing().
-  const glm::ivec3 nodes = latticeNodes(glm::vec3(boxSize), 0.5f * LatticeSettings{}.spacing);
+  const glm::ivec3 nodes =
+      latticeNodes(glm::vec3(boxSize), 0.5f * LatticeSettings{}.spacing * static_cast<float>(metreOf(boxSize)));
   return static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) * kLatticeTexels * sizeof(glm::vec4);
 }
 

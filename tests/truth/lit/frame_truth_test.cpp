@@ -68,10 +68,60 @@ std::vector<std::string> changes() {
   return fields;
 }
 
+struct Judged {
+  LitError error;
+  double rmse = 0.0;  ///< of pixels
+};
+
+Judged judge(OffscreenScene& shown, const LoadedScene& loaded, const LitIndex& index, const LitPicture& picture) {
+  constexpr int kSamples = 16;
+  const ImageRgbaF truth = loadLitPicture(index, picture);
+  ShownSettings settings;
+  settings.camera = cameraOf(loaded.scene, picture.camera);
+  shown.show(loaded.scene, loaded.models, settings);
+  if (!shown.capture()) throw WorkError("not captured");
+  const ImageRgbaF drawn = shown.renderer().renderLinear(index.width, index.height, kSamples);
+  shown.requireHealthy();
+  return {litError(index, picture, truth, drawn, drawn), pixelError(truth, drawn)};
+}
+
+const LitPicture& pictureOf(const LitIndex& index, const std::string& scene, const std::string& camera) {
+  const auto found = std::find_if(index.pictures.begin(), index.pictures.end(), [&](const LitPicture& picture) {
+    return picture.scene == scene && picture.camera == camera && !picture.bounces;
+  });
+  if (found == index.pictures.end()) throw InputError("no picture of " + scene + ", " + camera);
+  return *found;
+}
+
+/// The same scene in a unit so many times smaller: radiances stay, and so does the picture.
+void inSmallerUnit(Scene& scene, double times) {
+  for (ModelFile& model : scene.models) {
+    model.scale *= times;
+    model.translation *= times;
+  }
+  for (Light& light : scene.lights) {
+    light.position *= times;
+    light.radius *= times;
+    light.range *= times;
+    light.intensity *= static_cast<float>(times * times);
+  }
+  for (Camera& camera : scene.cameras) {
+    camera.position *= times;
+    camera.target *= times;
+  }
+  for (Probe& probe : scene.probes) {
+    probe.origin *= times;
+    probe.box = {times * probe.box.min, times * probe.box.max};
+    if (probe.influence) probe.influence = Box{times * probe.influence->min, times * probe.influence->max};
+    probe.blendDistance = {times * probe.blendDistance.min, times * probe.blendDistance.max};
+    probe.nearDistance *= times;
+    probe.farDistance *= times;
+  }
+}
+
 class FrameTruth : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(FrameTruth, HoldsToCycles) {
-  constexpr int kSamples = 16;
   const LitIndex index = loadLitIndex();
   const LoadedScene loaded = loadScene(index.scenePath(GetParam()), changes());
   OffscreenScene shown({"frame_truth_test", index.width, index.height, 1, true});
@@ -80,15 +130,9 @@ TEST_P(FrameTruth, HoldsToCycles) {
   int rows = 0;
   for (const LitPicture& picture : index.pictures) {
     if (picture.scene != GetParam() || picture.bounces) continue;
-    const ImageRgbaF truth = loadLitPicture(index, picture);
-    ShownSettings settings;
-    settings.camera = cameraOf(loaded.scene, picture.camera);
-    shown.show(loaded.scene, loaded.models, settings);
-    ASSERT_TRUE(shown.capture());
-    const ImageRgbaF drawn = shown.renderer().renderLinear(index.width, index.height, kSamples);
-    shown.requireHealthy();
-    const LitError error = litError(index, picture, truth, drawn, drawn);
-    const double rmse = pixelError(truth, drawn);
+    const Judged judged = judge(shown, loaded, index, picture);
+    const LitError& error = judged.error;
+    const double rmse = judged.rmse;
     const auto known = bounds().find(picture.scene + " " + picture.camera);
     ASSERT_NE(known, bounds().end()) << picture.file;
     const Held& bound = known->second;
@@ -102,6 +146,41 @@ TEST_P(FrameTruth, HoldsToCycles) {
     EXPECT_LE(rmse, bound.held.rmse) << picture.file;
   }
   EXPECT_EQ(rows, 2);
+}
+
+// One probe, whose box is the lit room and whose influence both: the dark room has nodes, too, and not the light of
+// the nearest ones in the lit room.
+TEST(OneProbe, LightsTheNextRoom) {
+  const LitIndex index = loadLitIndex();
+  LoadedScene loaded = loadScene(index.scenePath("doorway"));
+  ASSERT_EQ(loaded.scene.probes.size(), 2u);
+  loaded.scene.probes.resize(1);
+  Probe& probe = loaded.scene.probes.front();
+  ASSERT_EQ(probe.name, "lit room");
+  probe.influence = Box{{-3.5, -0.1, -2.3}, {4.4, 2.8, 2.7}};
+  probe.blendDistance = {glm::dvec3(0.1), glm::dvec3(0.1)};
+  OffscreenScene shown({"frame_truth_test", index.width, index.height, 1, true});
+  for (const char* camera : {"dark", "lit"}) {
+    const Judged judged = judge(shown, loaded, index, pictureOf(index, "doorway", camera));
+    std::printf("  %-6s %.3f  %.3f\n", camera, judged.error.meanLight, judged.rmse);
+    EXPECT_NEAR(judged.error.meanLight, 1.0, 0.15) << camera;
+    EXPECT_LE(judged.rmse, 0.35) << camera;
+  }
+}
+
+// Files come in millimetres, too, and say nothing of it.
+TEST(OneProbe, UnitsMakeNoDifference) {
+  const LitIndex index = loadLitIndex();
+  LoadedScene loaded = loadScene(index.scenePath("doorway"));
+  inSmallerUnit(loaded.scene, 1000.0);
+  OffscreenScene shown({"frame_truth_test", index.width, index.height, 1, true});
+  for (const char* camera : {"dark", "lit"}) {
+    const Judged judged = judge(shown, loaded, index, pictureOf(index, "doorway", camera));
+    const Aim& aim = bounds().at("doorway " + std::string(camera)).aim;
+    std::printf("  %-6s %.3f  %.3f\n", camera, judged.error.meanLight, judged.rmse);
+    EXPECT_NEAR(judged.error.meanLight, 1.0, aim.light) << camera;
+    EXPECT_LE(judged.rmse, aim.rmse) << camera;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Lit, FrameTruth,
