@@ -59,14 +59,36 @@ double medianOf(const std::vector<StandingPoint>& points, double StandingPoint::
   return *median;
 }
 
-/// Keeps the points on the most common floor below the most common ceiling: others are on or under tables, or in
+/// The floor that most points stand on: the median one, unless another has more. Of two storeys the median may be a
+/// step of the stairs between them.
+double commonFloor(const std::vector<StandingPoint>& points) {
+  const auto standingWith = [&](const StandingPoint& at) {
+    return std::count_if(points.begin(), points.end(), [&at](const StandingPoint& point) {
+      return std::abs(point.floor - at.floor) <= 0.1 * std::min(point.height, at.height);
+    });
+  };
+  const double median = medianOf(points, &StandingPoint::floor);
+  const auto isMedian = [median](const StandingPoint& point) { return point.floor == median; };
+  auto common = std::find_if(points.begin(), points.end(), isMedian);
+  auto most = standingWith(*common);
+  for (auto point = points.begin(); point != points.end(); ++point) {
+    const auto here = standingWith(*point);
+    if (here > most) common = point, most = here;
+  }
+  return common->floor;
+}
+
+/// Keeps the points on the most common floor below its most common ceiling: others are on or under tables, or in
 /// another storey.
 void leaveFurniture(std::vector<StandingPoint>& points) {
-  const double floor = medianOf(points, &StandingPoint::floor), height = medianOf(points, &StandingPoint::height);
-  const auto elsewhere = [floor, height](const StandingPoint& point) {
-    return std::abs(point.floor - floor) > 0.1 * point.height || point.height < 0.6 * height;
+  const double floor = commonFloor(points);
+  const auto elsewhere = [floor](const StandingPoint& point) {
+    return std::abs(point.floor - floor) > 0.1 * point.height;
   };
   points.erase(std::remove_if(points.begin(), points.end(), elsewhere), points.end());
+  const double height = medianOf(points, &StandingPoint::height);
+  const auto low = [height](const StandingPoint& point) { return point.height < 0.6 * height; };
+  points.erase(std::remove_if(points.begin(), points.end(), low), points.end());
 }
 
 }  // namespace

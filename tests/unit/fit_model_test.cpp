@@ -98,6 +98,32 @@ TEST(StandingPoints, AStepIsAFloorAndATableIsNot) {
   }
 }
 
+// Two storeys with stairs between them: half of all floors are below a step and half above, and nobody opens a house on
+// its stairs.
+TEST(StandingPoints, NobodyStandsOnTheStairsOfTwoStoreys) {
+  constexpr double kUpper = 3.1;
+  MadeModel made;
+  const Box house{glm::dvec3(-5.2, 0, -3.9), glm::dvec3(4.3, 6.3, 3.6)};
+  made.box(house, true);
+  // The upper floor, with a stairwell at +x: both of its sides.
+  const auto slab = [&](double x0, double x1, double z0, double z1) {
+    made.box({glm::dvec3(x0, kUpper - 0.2, z0), glm::dvec3(x1, kUpper, z1)}, false);
+  };
+  slab(-5.2, 2.1, -3.9, 3.6);
+  slab(2.1, 4.3, 2.9, 3.6);
+  for (int step = 0; step < 10; ++step) {
+    const double z = -3.9 + 0.68 * step;
+    made.box({glm::dvec3(2.1, 0.0, z), glm::dvec3(4.3, 0.31 * (step + 1), z + 0.68)}, false);
+  }
+  Scene scene;
+  scene.models = {{"made.glb"}};
+  const TriangleRays rays(scene, {std::make_shared<const Model>(std::move(made.model))});
+  const std::vector<StandingPoint> points = standingPoints(rays, surveyModel(rays));
+  ASSERT_FALSE(points.empty());
+  const double floor = points.front().floor;
+  EXPECT_TRUE(std::abs(floor) < 1e-6 || std::abs(floor - kUpper) < 1e-6) << floor;
+}
+
 TEST(ModelKind, ABoxSeenFromWithinIsAnInterior) {
   const Fitted room = fitted(closedRoom());
   EXPECT_EQ(room.fit.kind, ModelKind::Interior) << room.fit.decided.english();
