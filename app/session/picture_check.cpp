@@ -500,27 +500,27 @@ class Checker {
   }
 
   bool tryBounces(PictureErrors& best) {
-    std::vector<PlacedProbe> bounced = placement_.probes;
-    bool more = false;
-    for (PlacedProbe& placed : bounced) {
-      more = more || placed.probe.bounces < kRoomBounces;
-      placed.probe.bounces = std::max(placed.probe.bounces, kRoomBounces);
-    }
-    if (!more) return true;
-    std::swap(bounced, placement_.probes);
-    const auto errors = errorsWith(placement_.all());
-    if (!errors) return false;
-    const bool better = errors->error < kBetter * best.error;
-    check_.sentences.push_back((better ? Phrase::tr("%1 bounces of light in the captures: error %2 -> %3")
-                                       : Phrase::tr("%1 bounces of light in the captures: error %2 -> %3, left out"))
-                                   .arg(std::to_string(kRoomBounces))
-                                   .arg(errorText(best.error))
-                                   .arg(errorText(errors->error)));
-    if (better) {
-      best = *errors;
-      bestSquares_ = roomSquares_;
-    } else {
-      std::swap(bounced, placement_.probes);
+    for (const int bounces : {kRoomBounces, 1}) {
+      std::vector<PlacedProbe> others = placement_.probes;
+      for (PlacedProbe& placed : others) placed.probe.bounces = bounces;
+      const bool same = std::equal(others.begin(), others.end(), placement_.probes.begin(),
+                                   [](const auto& a, const auto& b) { return a.probe.bounces == b.probe.bounces; });
+      if (same) continue;
+      std::swap(others, placement_.probes);
+      const auto errors = errorsWith(placement_.all());
+      if (!errors) return false;
+      const bool better = errors->error < kBetter * best.error;
+      check_.sentences.push_back((better ? Phrase::tr("%1 bounces of light in the captures: error %2 -> %3")
+                                         : Phrase::tr("%1 bounces of light in the captures: error %2 -> %3, left out"))
+                                     .arg(std::to_string(bounces))
+                                     .arg(errorText(best.error))
+                                     .arg(errorText(errors->error)));
+      if (better) {
+        best = *errors;
+        bestSquares_ = roomSquares_;
+      } else {
+        std::swap(others, placement_.probes);
+      }
     }
     return true;
   }

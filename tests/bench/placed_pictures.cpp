@@ -368,6 +368,9 @@ void judge(OffscreenScene& shown, const Options& options, const std::string& pat
     for (const View& view : interior.views) {
       savePicture(options.folder + "/" + stem + "-path-" + std::to_string(&view - interior.views.data()) + ".png",
                   view.truth.color, interior.white);
+      const glm::dvec3 &at = view.camera.position, &towards = view.camera.target;
+      std::printf("%-20s eye %zd at (%.7g, %.7g, %.7g) towards (%.7g, %.7g, %.7g)\n", stem.c_str(),
+                  &view - interior.views.data(), at.x, at.y, at.z, towards.x, towards.y, towards.z);
     }
   }
   const PlacedScene placed = placedBy(options, path);
