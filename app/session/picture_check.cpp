@@ -59,8 +59,9 @@ std::vector<Probe> measured(std::vector<Probe> probes) {
   return probes;
 }
 
-std::vector<Probe> withBounces(std::vector<Probe> probes) {
-  for (Probe& probe : probes) probe.bounces = std::max(probe.bounces, kRoomBounces);
+/// Of more than one at least so many; 1: of one.
+std::vector<Probe> withBounces(std::vector<Probe> probes, int bounces) {
+  for (Probe& probe : probes) probe.bounces = bounces == 1 ? 1 : std::max(probe.bounces, bounces);
   return probes;
 }
 
@@ -308,17 +309,23 @@ class Checker {
         bestSquares_ = roomSquares_;
       }
     }
-    const std::vector<Probe> bounced = withBounces(own);
+    std::vector<Probe> bounced = own;
     const bool acrossBoth = both && loaded_.fit;  // nobody set that box by hand
-    if (!own.empty() && bounced != own && placement_.kept.empty() && !acrossBoth) {
-      const auto errors = errorsWith(bounced);
-      if (!errors) return false;
-      check_.sentences.push_back(Phrase::tr("the scene's own probes with %1 bounces: error %2")
-                                     .arg(std::to_string(kRoomBounces))
-                                     .arg(errorText(errors->error)));
-      if (!best || errors->error < kBetter * best->error) {
-        best = *errors, choice = Choice::OwnWithBounces;
-        bestSquares_ = roomSquares_;
+    if (!own.empty() && placement_.kept.empty() && !acrossBoth) {
+      for (const int bounces : {kRoomBounces, 1}) {
+        if (bounces == 1 && !loaded_.fit) continue;  // what a person has chosen is not lowered
+        const std::vector<Probe> others = withBounces(own, bounces);
+        if (others == own) continue;
+        const auto errors = errorsWith(others);
+        if (!errors) return false;
+        check_.sentences.push_back(Phrase::tr("the scene's own probes, bounces of light: %1; error %2")
+                                       .arg(std::to_string(bounces))
+                                       .arg(errorText(errors->error)));
+        if (!best || errors->error < kBetter * best->error) {
+          best = *errors, choice = Choice::OwnWithBounces;
+          bounced = others;
+          bestSquares_ = roomSquares_;
+        }
       }
     }
     if (choice == Choice::OneBox) {
@@ -352,7 +359,7 @@ class Checker {
     check_.after = *best;
     if (choice == Choice::OwnWithBounces && placement_.probes.empty()) {
       check_.sentences.push_back(
-          Phrase::tr("the scene's own probes stay, with %1 bounces").arg(std::to_string(kRoomBounces)));
+          Phrase::tr("the scene's own probes stay, bounces of light: %1").arg(std::to_string(bounced.front().bounces)));
     }
     return true;
   }
@@ -501,8 +508,11 @@ class Checker {
 
   bool tryBounces(PictureErrors& best) {
     for (const int bounces : {kRoomBounces, 1}) {
+      if (bounces == 1 && !loaded_.fit) continue;
       std::vector<PlacedProbe> others = placement_.probes;
-      for (PlacedProbe& placed : others) placed.probe.bounces = bounces;
+      for (PlacedProbe& placed : others) {
+        placed.probe.bounces = bounces == 1 ? 1 : std::max(placed.probe.bounces, bounces);
+      }
       const bool same = std::equal(others.begin(), others.end(), placement_.probes.begin(),
                                    [](const auto& a, const auto& b) { return a.probe.bounces == b.probe.bounces; });
       if (same) continue;
@@ -510,8 +520,8 @@ class Checker {
       const auto errors = errorsWith(placement_.all());
       if (!errors) return false;
       const bool better = errors->error < kBetter * best.error;
-      check_.sentences.push_back((better ? Phrase::tr("%1 bounces of light in the captures: error %2 -> %3")
-                                         : Phrase::tr("%1 bounces of light in the captures: error %2 -> %3, left out"))
+      check_.sentences.push_back((better ? Phrase::tr("bounces of light in the captures: %1; error %2 -> %3")
+                                         : Phrase::tr("bounces of light in the captures: %1; error %2 -> %3, left out"))
                                      .arg(std::to_string(bounces))
                                      .arg(errorText(best.error))
                                      .arg(errorText(errors->error)));

@@ -5619,8 +5619,8 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>eine Box um das ganze Modell: Fehler %1</translation>
     </message>
     <message>
-        <source>the scene&apos;s own probes with %1 bounces: error %2</source>
-        <translation>die Sonden der Szene mit %1 Abprallern: Fehler %2</translation>
+        <source>the scene&apos;s own probes, bounces of light: %1; error %2</source>
+        <translation>die Sonden der Szene, Abpraller des Lichts: %1; Fehler %2</translation>
     </message>
     <message>
         <source>one box around all rooms measured better than one for each</source>
@@ -5643,8 +5643,8 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>nichts war um %1 % messbar besser als die Sonden der Szene, die bleiben</translation>
     </message>
     <message>
-        <source>the scene&apos;s own probes stay, with %1 bounces</source>
-        <translation>die Sonden der Szene bleiben, mit %1 Abprallern</translation>
+        <source>the scene&apos;s own probes stay, bounces of light: %1</source>
+        <translation>die Sonden der Szene bleiben, Abpraller des Lichts: %1</translation>
     </message>
     <message>
         <source>&quot;%1&quot; captured at (%2, %3, %4): error %5 -&gt; %6</source>
@@ -5663,12 +5663,12 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>%1 Sonden von anderswo aufgenommen: Fehler %2 -&gt; %3, weggelassen</translation>
     </message>
     <message>
-        <source>%1 bounces of light in the captures: error %2 -&gt; %3</source>
-        <translation>%1 Abpraller des Lichts in den Aufnahmen: Fehler %2 -&gt; %3</translation>
+        <source>bounces of light in the captures: %1; error %2 -&gt; %3</source>
+        <translation>Abpraller des Lichts in den Aufnahmen: %1; Fehler %2 -&gt; %3</translation>
     </message>
     <message>
-        <source>%1 bounces of light in the captures: error %2 -&gt; %3, left out</source>
-        <translation>%1 Abpraller des Lichts in den Aufnahmen: Fehler %2 -&gt; %3, weggelassen</translation>
+        <source>bounces of light in the captures: %1; error %2 -&gt; %3, left out</source>
+        <translation>Abpraller des Lichts in den Aufnahmen: %1; Fehler %2 -&gt; %3, weggelassen</translation>
     </message>
     <message>
         <source>without &quot;%1&quot;: error %2 -&gt; %3, it stays</source>

@@ -5619,8 +5619,8 @@ one lookup, on face %1</source>
         <translation>围绕整个模型的一个盒：误差 %1</translation>
     </message>
     <message>
-        <source>the scene&apos;s own probes with %1 bounces: error %2</source>
-        <translation>场景自身的探针反弹 %1 次：误差 %2</translation>
+        <source>the scene&apos;s own probes, bounces of light: %1; error %2</source>
+        <translation>场景自身的探针，光反弹次数：%1；误差 %2</translation>
     </message>
     <message>
         <source>one box around all rooms measured better than one for each</source>
@@ -5643,8 +5643,8 @@ one lookup, on face %1</source>
         <translation>没有方案测得比场景自身探针好 %1 %，保留原探针</translation>
     </message>
     <message>
-        <source>the scene&apos;s own probes stay, with %1 bounces</source>
-        <translation>保留场景自身的探针，反弹 %1 次</translation>
+        <source>the scene&apos;s own probes stay, bounces of light: %1</source>
+        <translation>保留场景自身的探针，光反弹次数：%1</translation>
     </message>
     <message>
         <source>&quot;%1&quot; captured at (%2, %3, %4): error %5 -&gt; %6</source>
@@ -5663,12 +5663,12 @@ one lookup, on face %1</source>
         <translation>%1 个探针从别处捕捉：误差 %2 -&gt; %3，未采用</translation>
     </message>
     <message>
-        <source>%1 bounces of light in the captures: error %2 -&gt; %3</source>
-        <translation>捕捉中光反弹 %1 次：误差 %2 -&gt; %3</translation>
+        <source>bounces of light in the captures: %1; error %2 -&gt; %3</source>
+        <translation>捕捉中光反弹次数：%1；误差 %2 -&gt; %3</translation>
     </message>
     <message>
-        <source>%1 bounces of light in the captures: error %2 -&gt; %3, left out</source>
-        <translation>捕捉中光反弹 %1 次：误差 %2 -&gt; %3，未采用</translation>
+        <source>bounces of light in the captures: %1; error %2 -&gt; %3, left out</source>
+        <translation>捕捉中光反弹次数：%1；误差 %2 -&gt; %3，未采用</translation>
     </message>
     <message>
         <source>without &quot;%1&quot;: error %2 -&gt; %3, it stays</source>

@@ -17,7 +17,7 @@ namespace boxprobe {
 namespace {
 
 // Increase it whenever captures or filters give other texels for the same inputs, so that older files are baked again.
-constexpr int kBakeVersion = 5;
+constexpr int kBakeVersion = 6;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
   if (!use.image) return {};
