@@ -59,9 +59,13 @@ std::vector<Probe> measured(std::vector<Probe> probes) {
   return probes;
 }
 
-/// Of more than one at least so many; 1: of one.
+/// One, or at least so many.
+int bouncesTried(int of, int bounces) {
+  return bounces == 1 ? 1 : std::max(of, bounces);
+}
+
 std::vector<Probe> withBounces(std::vector<Probe> probes, int bounces) {
-  for (Probe& probe : probes) probe.bounces = bounces == 1 ? 1 : std::max(probe.bounces, bounces);
+  for (Probe& probe : probes) probe.bounces = bouncesTried(probe.bounces, bounces);
   return probes;
 }
 
@@ -268,6 +272,16 @@ class Checker {
     return picture;
   }
 
+  static bool isBetter(const PictureErrors& errors, const PictureErrors& best) {
+    return errors.error < kBetter * best.error;
+  }
+
+  /// What was measured last is the best so far.
+  void take(const PictureErrors& errors, PictureErrors& best) {
+    best = errors;
+    bestSquares_ = roomSquares_;
+  }
+
   bool choose() {
     const std::vector<Probe>& own = loaded_.scene.probes;
     const auto before = errorsWith(own);
@@ -443,7 +457,7 @@ class Checker {
         placement_.probes[i].probe.origin = origin;
         const auto errors = errorsWith(placement_.all());
         if (!errors) return false;
-        const bool better = errors->error < kBetter * best.error;
+        const bool better = isBetter(*errors, best);
         check_.sentences.push_back((better ? Phrase::tr("\"%1\" captured at (%2, %3, %4): error %5 -> %6")
                                            : Phrase::tr("\"%1\" captured at (%2, %3, %4): error %5 -> %6, left out"))
                                        .arg(oneLine(still.name))
@@ -453,8 +467,7 @@ class Checker {
                                        .arg(errorText(best.error))
                                        .arg(errorText(errors->error)));
         if (better) {
-          best = *errors;
-          bestSquares_ = roomSquares_;
+          take(*errors, best);
         } else {
           placement_.probes[i].probe = still;
         }
@@ -491,15 +504,14 @@ class Checker {
     if (moved == 0) return true;
     const auto errors = errorsWith(placement_.all());
     if (!errors) return false;
-    const bool better = errors->error < kBetter * best.error;
+    const bool better = isBetter(*errors, best);
     check_.sentences.push_back((better ? Phrase::tr("%1 probes captured from elsewhere: error %2 -> %3")
                                        : Phrase::tr("%1 probes captured from elsewhere: error %2 -> %3, left out"))
                                    .arg(std::to_string(moved))
                                    .arg(errorText(best.error))
                                    .arg(errorText(errors->error)));
     if (better) {
-      best = *errors;
-      bestSquares_ = roomSquares_;
+      take(*errors, best);
     } else {
       placement_.probes = still;
     }
@@ -508,28 +520,27 @@ class Checker {
 
   bool tryBounces(PictureErrors& best) {
     for (const int bounces : {kRoomBounces, 1}) {
-      if (bounces == 1 && !loaded_.fit) continue;
-      std::vector<PlacedProbe> others = placement_.probes;
-      for (PlacedProbe& placed : others) {
-        placed.probe.bounces = bounces == 1 ? 1 : std::max(placed.probe.bounces, bounces);
+      if (bounces == 1 && !loaded_.fit) continue;  // what a person has chosen is not lowered
+      const std::vector<PlacedProbe> still = placement_.probes;
+      bool other = false;
+      for (PlacedProbe& placed : placement_.probes) {
+        const int tried = bouncesTried(placed.probe.bounces, bounces);
+        other = other || tried != placed.probe.bounces;
+        placed.probe.bounces = tried;
       }
-      const bool same = std::equal(others.begin(), others.end(), placement_.probes.begin(),
-                                   [](const auto& a, const auto& b) { return a.probe.bounces == b.probe.bounces; });
-      if (same) continue;
-      std::swap(others, placement_.probes);
+      if (!other) continue;
       const auto errors = errorsWith(placement_.all());
       if (!errors) return false;
-      const bool better = errors->error < kBetter * best.error;
+      const bool better = isBetter(*errors, best);
       check_.sentences.push_back((better ? Phrase::tr("bounces of light in the captures: %1; error %2 -> %3")
                                          : Phrase::tr("bounces of light in the captures: %1; error %2 -> %3, left out"))
                                      .arg(std::to_string(bounces))
                                      .arg(errorText(best.error))
                                      .arg(errorText(errors->error)));
       if (better) {
-        best = *errors;
-        bestSquares_ = roomSquares_;
+        take(*errors, best);
       } else {
-        std::swap(others, placement_.probes);
+        placement_.probes = still;
       }
     }
     return true;
@@ -562,8 +573,7 @@ class Checker {
         reason = gain > 0.0005 ? Phrase::tr("%1; without it the error grows by %2").arg(reason).arg(errorText(gain))
                                : Phrase::tr("%1; without it the error is the same").arg(reason);
       } else {
-        best = *errors;
-        bestSquares_ = roomSquares_;
+        take(*errors, best);
       }
     }
     return true;

@@ -11,8 +11,9 @@
 
 namespace boxprobe {
 
-/// Bounces of light in the captures of rooms, whose walls light one another. With one, pictures of six of nine of other
-/// people's rooms were up to six times as wrong as with three; those of three were better (tests/bench/README.md).
+/// Bounces of light in the captures of rooms, whose walls light one another. With one, pictures of eight of eleven of
+/// other people's rooms were up to eight times as wrong as with three; those of three were better
+/// (tests/bench/README.md).
 inline constexpr int kRoomBounces = 3;
 
 /// Settings that override the fit.

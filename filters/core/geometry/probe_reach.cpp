@@ -80,7 +80,7 @@ ProbeReach openReach(const ProbeReach& asked, const SightLines& lines, const glm
     const double wanted = upper ? asked.high[axis] : asked.low[axis];
     const double there = upper ? surfaces.max[axis] - high[axis] : low[axis] - surfaces.min[axis];
     const double reach = wanted > wall ? std::min(wanted, there) : wanted;
-    if (!(reach > (wanted > wall ? skin : 0.0)) || !(size[axis] > 0.0)) continue;
+    if (!(reach > skin) || !(size[axis] > 0.0)) continue;
     if (reach <= wall && !opens(side, reach, lines, originWorld, worldFromBox, low, high)) continue;
     (upper ? open.high : open.low)[axis] = reach;
   }

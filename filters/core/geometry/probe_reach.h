@@ -10,7 +10,7 @@
 namespace boxprobe {
 
 /// In metreOf() the box: what is farther from it is behind a wall, or through an opening in one.
-constexpr double kWallThickness = 0.4;
+inline constexpr double kWallThickness = 0.4;
 
 /// Beyond the box's sides, along its axes, scene units, each at least 0.
 struct ProbeReach {

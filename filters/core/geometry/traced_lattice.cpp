@@ -104,6 +104,9 @@ class NodeTracer {
     far_ = 1.0e4 * static_cast<double>(std::max({size.x, size.y, size.z}));
     low_ = base.low - base.inset;
     high_ = base.high + base.inset;
+    const glm::vec3 wall(static_cast<float>(kWallThickness * metreOf(base.boxHigh - base.boxLow)));
+    wallsLow_ = base.boxLow - wall;
+    wallsHigh_ = base.boxHigh + wall;
     for (const std::size_t lamp : in.drawn) {
       polygons_.push_back(lampPolygon(in.lamps->lamps[lamp], in.originWorld));
     }
@@ -183,11 +186,10 @@ class NodeTracer {
     return glm::all(glm::greaterThanEqual(p, low_ - more)) && glm::all(glm::lessThanEqual(p, high_ + more));
   }
 
-  // Where nodes stand, and not in the box, nor within a wall's thickness of it.
-  bool beyondBox(const glm::dvec3& inProbe) const {
-    const glm::vec3 p(inProbe), wall(static_cast<float>(kWallThickness * metreOf(base_.boxHigh - base_.boxLow)));
-    return within(inProbe) &&
-           (glm::any(glm::lessThan(p, base_.boxLow - wall)) || glm::any(glm::greaterThan(p, base_.boxHigh + wall)));
+  // Among the nodes, and not in the box, nor in its walls.
+  bool beyondWalls(const glm::dvec3& inProbe) const {
+    const glm::vec3 p(inProbe);
+    return within(inProbe) && (glm::any(glm::lessThan(p, wallsLow_)) || glm::any(glm::greaterThan(p, wallsHigh_)));
   }
 
   glm::vec3 ofSurface(const glm::dvec3& from, std::size_t ray, const SightLines::Met& hit,
@@ -201,7 +203,7 @@ class NodeTracer {
       const double towards = std::max(-glm::dot(hit.normal, direction), 0.05);
       const double seen = -glm::dot(hit.normal, way) / length, ratio = hit.distance / length;
       // Seen through a door, a coarse texel would have the light of the wall beside it.
-      const double most = beyondBox(inProbe) ? 1.0 : 1.0e300;
+      const double most = beyondWalls(inProbe) ? 1.0 : 1.0e300;
       const auto light = ofCovered(way / length, std::min(texelsPerRay_ * ratio * ratio * seen / towards, most));
       if (light) return *light;
     }
@@ -216,8 +218,8 @@ class NodeTracer {
     return hit.emitted + hit.albedo * arriving(off, hit.normal);
   }
 
-  // Of a ray that leaves the box, through a door: towards where it does, if the origin sees that. Its map has the next
-  // room's light there, which nothing else here knows.
+  // Of a ray that leaves what the nodes light, through a door: towards where it does, if the origin sees that. Its map
+  // has the next room's light there, which nothing else here knows.
   std::optional<glm::dvec3> throughOpening(const glm::dvec3& from, const glm::dvec3& direction, double distance) const {
     const glm::dmat3 probeFromWorld = glm::transpose(in_.worldFromProbe);
     const glm::dvec3 start = probeFromWorld * (from - in_.originWorld), along = probeFromWorld * direction;
@@ -273,9 +275,10 @@ class NodeTracer {
   const LatticeSurroundings& in_;
   int rays_ = 0;
   double margin_ = 0.0, far_ = 0.0, texelsPerRay_ = 1.0;
-  glm::vec3 low_{0.0f}, high_{0.0f};    // of the box, probe frame
-  std::vector<LampPolygon> polygons_;   // relative to the capture origin, world axes
-  std::vector<glm::dvec3> directions_;  // world
+  glm::vec3 low_{0.0f}, high_{0.0f};            // of what the nodes light, probe frame
+  glm::vec3 wallsLow_{0.0f}, wallsHigh_{0.0f};  // of the box with its walls
+  std::vector<LampPolygon> polygons_;           // relative to the capture origin, world axes
+  std::vector<glm::dvec3> directions_;          // world
   std::vector<std::array<float, 9>> basis_;
   std::vector<glm::vec3> sky_;  // along each direction; empty: the capture shows it
 };

@@ -31,8 +31,8 @@ struct LatticeSurroundings {
 /// looked up in `means` (plainMeans() of the capture without lamps), less the sky beside it. A lamp that is drawn is
 /// black. What the origin does not see shines, and scatters, by the mean albedo of its material, the light of lamps,
 /// light sources and suns that reach it and what the lattice itself has there: light goes from node to node until less
-/// than 0.2 % of it changes, at most 32 times; out of the box, under the sky, the sky's light. Nodes within things take
-/// the mean of their neighbours. Where surfaces stand between nodes, each lights its own side of them alone
+/// than 0.2 % of it changes, at most 32 times; beyond all nodes, under the sky, the sky's light. Nodes within things
+/// take the mean of their neighbours. Where surfaces stand between nodes, each lights its own side of them alone
 /// (DiffuseLattice::cuts).
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,
                              int rays = 1024);
