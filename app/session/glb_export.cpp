@@ -51,6 +51,7 @@ void drawLattices(OffscreenScene& shown, const Scene& scene) {
   if (scene.lamps != LampForm::Shapes) return;
   constexpr int kSide = 8;
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    if (!scene.probes[i].hasLattice()) continue;
     const glm::dvec3 ahead[] = {{0, -1, 0.01}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {0, 1, 0.01}};
     for (const glm::dvec3& direction : ahead) {
       const ProbesDiffuse now = shown.renderer().probesDiffuse();

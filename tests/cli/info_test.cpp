@@ -116,6 +116,8 @@ TEST(Info, TellsLampsAndWhereDiffuseLightComesFrom) {
   const json inMap = infoJson({demoScene("gallery"), "--set", "lamps=in-map"});
   EXPECT_TRUE(inMap["lamps"].empty());
   EXPECT_EQ(inMap["probes"][0]["diffuseLight"], "coefficients");
+  const json none = infoJson({demoScene("gallery"), "--set", "probes.gallery.lattice=false"});
+  EXPECT_EQ(none["probes"][0]["diffuseLight"], "coefficients");
   const Outcome text = runProgram({"info", demoScene("building")}, DisplayKind::Unset);
   EXPECT_THAT(text.out, HasSubstr("objects.far hills: a curved lamp"));
 }

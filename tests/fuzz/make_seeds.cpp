@@ -70,6 +70,7 @@ Scene fullScene() {
   probe.hides = {"ball", "a/b"};
   probe.bevel = Bevel{0.1, 0.3};
   probe.occlusion = BoxOcclusion{1, 2, 0.5};
+  probe.lattice = ProbeLattice{true, 0.7};
   scene.probes = {probe};
   probe.name = "hall";
   probe.clear = glm::vec3(1, 0.5f, 0);

@@ -239,8 +239,9 @@ class MonkeyTest : public WindowTest {
     std::vector<QModelIndex> rows;
     const std::function<void(const QModelIndex&)> collect = [&](const QModelIndex& parent) {
       for (int i = 0; i < tree->model()->rowCount(parent); ++i) {
-        rows.push_back(tree->model()->index(i, 0, parent));
-        collect(rows.back());
+        const QModelIndex row = tree->model()->index(i, 0, parent);
+        rows.push_back(row);
+        collect(row);
       }
     };
     collect({});

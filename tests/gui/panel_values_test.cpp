@@ -26,6 +26,7 @@ class PanelValuesTest : public WindowTest {
     return smallBuilding(
         {"probes.room.origin=[0.1,1.7,-0.4]", "probes.room.rotationDegrees=[3,17,-5]",
          "probes.room.blendDistance={\"min\":[0.11,0.22,0.33],\"max\":[0.44,0.55,0.66]}", "probes.room.bevel=0.23",
+         "probes.room.lattice={\"spacing\":0.72}",
          "probes.room.occlusion={\"multiplier\":0.6,\"power\":0.7,\"strength\":0.8}", "probes.room.importance=1.5",
          "probes.room.intensity=0.9", "probes.room.near=0.02", "probes.room.far=77",
          "probes.room.technique=\"impostor+hdrp\"", "sky.rotationDegrees=12",
@@ -113,8 +114,8 @@ class PanelValuesTest : public WindowTest {
 
   void tryChoices(std::vector<std::string>& lines) {
     for (const char* name : {"techniqueProjection", "techniqueEvaluation", "mode", "faceSize", "samplesPerPixel",
-                             "bounces", "filter", "filterSamples", "clear", "imageLayout", "facesSeenFrom", "encoding",
-                             "lightShadows", "glassForm", "curve", "fresnel"}) {
+                             "bounces", "filter", "filterSamples", "lattice", "clear", "imageLayout", "facesSeenFrom",
+                             "encoding", "lightShadows", "glassForm", "curve", "fresnel"}) {
       auto* combo = window_->findChild<QComboBox*>(name);
       if (combo == nullptr) {
         lines.push_back("choice " + std::string(name) + " is not there");

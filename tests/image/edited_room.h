@@ -125,6 +125,7 @@ inline std::optional<FieldValue> otherValue(const FieldInfo& field, const FieldV
         BlendDistance{blend->min + glm::dvec3(0.17, 0.05, 0.31), blend->max + glm::dvec3(0.4, 0.23, 0.09)});
   }
   if (std::get_if<Bevel>(&from) != nullptr) return FieldValue(Bevel{0.28, 0.41});
+  if (std::get_if<ProbeLattice>(&from) != nullptr) return FieldValue(ProbeLattice{true, 0.63});
   if (std::get_if<BoxOcclusion>(&from) != nullptr) return FieldValue(BoxOcclusion{0.37, 1.4, 0.68});
   if (std::get_if<Clear>(&from) != nullptr) return FieldValue(Clear(glm::vec3(0.21f, 0.43f, 0.11f)));
   if (const auto* names = std::get_if<std::vector<std::string>>(&from)) {
@@ -139,6 +140,8 @@ inline FieldValue valueOfKind(FieldKind kind) {
       return Box{{-2.1, 0.3, -1.5}, {2.8, 2.7, 2.3}};
     case FieldKind::Bevel:
       return Bevel{};
+    case FieldKind::LatticeOrNone:
+      return ProbeLattice{};
     case FieldKind::Occlusion:
       return BoxOcclusion{};
     case FieldKind::Color:

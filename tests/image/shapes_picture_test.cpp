@@ -197,6 +197,44 @@ TEST(ShapesPicture, AnExplanationNamesLampsAndNodes) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(kAlbedo[c] * sum[c] / truth(point)[c], 1.0, 0.03);
 }
 
+// Nodes as close as the scene asks for, in scene units whatever they are; none: the whole map's light, as in-map; and
+// back again.
+TEST(ShapesPicture, NodesStandAsTheSceneHasThem) {
+  QuadWorld before(scene(LampForm::InMap), {room()}), world(scene(LampForm::Shapes), {room()}, 64, 48);
+  before.show();
+  world.show();
+  Camera camera;
+  camera.position = {1.2, 1.5, 1.4};
+  camera.target = {-0.4, 0.0, -0.2};
+  const auto nodes = [&] {
+    world.renderer->applyCamera(camera);
+    return world.renderer->explain(33, 21, 64, 48).probes.at(0).diffuse.nodeCount;
+  };
+  const auto captured = world.renderer->counters().facesCaptured;
+  for (const double spacing : {0.5, 1.7, 0.01}) {
+    world.edit([&](Scene& s) { s.probes[0].lattice = ProbeLattice{true, spacing}; });
+    glm::ivec3 expected;  // of 4.4 x 2.7 x 3.5 m
+    for (int axis = 0; axis < 3; ++axis) {
+      const double steps = static_cast<double>(kHigh[axis] - kLow[axis]) / spacing;
+      expected[axis] = static_cast<int>(std::clamp(std::round(steps) + 1.0, 2.0, 16.0));
+    }
+    EXPECT_EQ(nodes(), expected) << spacing;
+    for (const dvec3& point : kPoints) {
+      const dvec3 t = truth(point), drawn = seen(world, point);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / t[c], 1.0, 0.03) << spacing << ", " << point.x;
+    }
+  }
+  world.edit([](Scene& s) { s.probes[0].lattice = ProbeLattice{false}; });
+  EXPECT_EQ(nodes(), glm::ivec3(0));
+  for (const dvec3& point : kPoints) {
+    const dvec3 inMap = seen(before, point), drawn = seen(world, point);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / inMap[c], 1.0, 0.01) << point.x << " " << point.z;
+  }
+  world.edit([](Scene& s) { s.probes[0].lattice.reset(); });
+  EXPECT_EQ(nodes(), glm::ivec3(5, 4, 5));
+  EXPECT_EQ(world.renderer->counters().facesCaptured, captured);
+}
+
 TEST(ShapesPicture, AnEditOfWhatDoesNotShineLeavesLightsAlone) {
   Scene lit = scene(LampForm::Shapes);
   Light light;

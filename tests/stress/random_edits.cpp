@@ -135,6 +135,7 @@ void RandomEdits::changeProbe(Probe& probe) {
       break;
     case 6:
       probe.bevel = oneIn(2) ? std::optional<Bevel>({number(0.0, 1.0), number(0.0, 1.0)}) : std::nullopt;
+      probe.lattice = oneIn(2) ? std::optional<ProbeLattice>({oneIn(2), number(0.1, 3.0)}) : std::nullopt;
       probe.occlusion = oneIn(2) ? std::optional<BoxOcclusion>({number(0.0, 2.0), 1.0, 0.5}) : std::nullopt;
       break;
     case 7:

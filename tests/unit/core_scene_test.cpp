@@ -92,7 +92,8 @@ TEST(Difference, NamesTheKindOfEachProbeField) {
            [](Probe& p) { p.box.max.x = 5; }, [](Probe& p) { p.influence = p.box; },
            [](Probe& p) { p.blendDistance.min.z = 0; }, [](Probe& p) { p.intensity = 2; },
            [](Probe& p) { p.importance = 2; }, [](Probe& p) { p.bevel = Bevel(); },
-           [](Probe& p) { p.occlusion = BoxOcclusion(); }}) {
+           [](Probe& p) { p.occlusion = BoxOcclusion(); }, [](Probe& p) { p.lattice = ProbeLattice(); },
+           [](Probe& p) { p.lattice = ProbeLattice{false}; }}) {
     EXPECT_EQ(kindsAfter([&](Scene& s) { edit(s.probes[1]); }), "shape ");
   }
   EXPECT_EQ(kindsAfter([](Scene& s) { s.probes[1].rotationDegrees.y = 5; }), "shape capture ");
@@ -171,11 +172,13 @@ TEST(Remarks, EachFeatureThatIsNotUsedIsNamedWithItsKey) {
   probe.parameters["power"] = 4.0;
   probe.bevel = Bevel{0.1, 0.0};     // is used
   probe.occlusion = BoxOcclusion();  // is used
+  probe.lattice = ProbeLattice{true, 0.05};
   probe.box.max.y = probe.box.min.y;
   probe.decode = glm::dvec2(5, 1);
   EXPECT_THAT(featuresNotUsed(scene),
               ElementsAre(HasSubstr("probes.room.box: is flat"),
                           HasSubstr("probes.room.decode: is not used by encoding linear"),
+                          HasSubstr("probes.room.lattice.spacing: is 0.05: along an axis stand at most 16 nodes"),
                           HasSubstr("probes.room.parameters.power: is not used by technique box+none")));
 }
 

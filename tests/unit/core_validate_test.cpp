@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "filters/core/base/field_error.h"
+#include "filters/core/base/number_text.h"
 #include "filters/core/scene/scene.h"
 #include "tests/unit/error_text.h"
 
@@ -116,6 +117,9 @@ TEST(Validate, NonFiniteNumbersAreRefusedEverywhere) {
       [](Scene& s) {
         s.probes[0].occlusion = BoxOcclusion{kNan, 1.0, 1.0};
       },
+      [](Scene& s) {
+        s.probes[0].lattice = ProbeLattice{true, kNan};
+      },
   };
   for (std::size_t i = 0; i < rest.size(); ++i) EXPECT_NE(problem(rest[i]), "") << "case " << i;
 }
@@ -146,6 +150,12 @@ TEST(Validate, RangesNameTheKeyTheValueAndTheRange) {
   EXPECT_NE(problem([](Scene& s) { s.probes[0].decode = glm::dvec2(1e30, 1); }), "");
   EXPECT_NE(problem([](Scene& s) { s.probes[0].decode = glm::dvec2(1, kNan); }), "");
   expectSound([](Scene& s) { s.probes[0].decode = glm::dvec2(5, 0); });
+  for (const double spacing : {0.0, -0.5}) {
+    EXPECT_EQ(problem([spacing](Scene& s) {
+                s.probes[0].lattice = ProbeLattice{true, spacing};
+              }),
+              "probes.room.lattice.spacing: is " + numberText(spacing) + " and must be greater than 0");
+  }
   EXPECT_EQ(problem([](Scene& s) { s.probes[0].intensity = -1; }),
             "probes.room.intensity: is -1 and must be 0 or more");
   EXPECT_EQ(problem([](Scene& s) { s.materials["floor"].roughness = 1.5f; }),

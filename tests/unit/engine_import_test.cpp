@@ -358,6 +358,7 @@ Probe oddProbe(ProbeMode mode, const Clear& clear) {
   probe.faceSize = 128;
   probe.mode = mode;
   probe.bevel = Bevel{0.2, 0.1};
+  probe.lattice = ProbeLattice{true, 0.63};
   return probe;
 }
 

@@ -78,7 +78,7 @@ TEST(SceneParse, ReadsEveryKeyOfAProbe) {
     "technique": "sphere", "parameters": {"samples": 8, "pattern": "r2", "animated": true}, "faceSize": 64,
     "bounces": 3, "mode": "custom", "image": "room.exr", "imageLayout": "cross",
     "encoding": "rgbm", "decode": [8, 1.5], "filter": "gaussian", "samplesPerPixel": 16, "filterSamples": 160,
-    "hides": ["mirror", "lamp"], "bevel": {"fromRoughness": 1},
+    "hides": ["mirror", "lamp"], "bevel": {"fromRoughness": 1}, "lattice": {"spacing": 0.7},
     "occlusion": {"multiplier": 2, "power": 3, "strength": 0.5} }])");
   ASSERT_EQ(scene.probes.size(), 1u);
   Probe expected;
@@ -108,17 +108,22 @@ TEST(SceneParse, ReadsEveryKeyOfAProbe) {
   expected.decode = glm::dvec2(8.0, 1.5);
   expected.hides = {"mirror", "lamp"};
   expected.bevel = Bevel{0.0, 1.0};
+  expected.lattice = ProbeLattice{true, 0.7};
   expected.occlusion = BoxOcclusion{2.0, 3.0, 0.5};
   EXPECT_EQ(scene.probes[0], expected);
 }
 
 TEST(SceneParse, ShortFormsOfProbeFields) {
   const Scene scene = parsed(R"("probes": [{"name": "a", "blendDistance": 0.5, "clear": "none", "bevel": 0.25},
-                                           {"name": "b", "clear": "sky"}])");
+                                           {"name": "b", "clear": "sky", "lattice": false}])");
   EXPECT_EQ(scene.probes[0].blendDistance, (BlendDistance{glm::dvec3(0.5), glm::dvec3(0.5)}));
   EXPECT_TRUE(std::holds_alternative<ClearToNone>(scene.probes[0].clear));
   EXPECT_EQ(scene.probes[0].bevel, (Bevel{0.25, 0.0}));
   EXPECT_TRUE(std::holds_alternative<ClearToSky>(scene.probes[1].clear));
+  EXPECT_TRUE(scene.probes[0].hasLattice());
+  EXPECT_FALSE(scene.probes[1].hasLattice());
+  EXPECT_NE(sceneText(scene, "").find("\"lattice\": false"), std::string::npos);
+  EXPECT_EQ(parseScene(sceneText(scene, ""), "again", ""), scene);
 }
 
 TEST(SceneParse, ReadsModelsSkiesCamerasAndLights) {
@@ -249,6 +254,10 @@ TEST(SceneErrors, WrongTypesNameTheKeyWhatIsWantedAndWhatIsThere) {
             "scene.json:2:25: sky.color[2]: 1e+200 is too large; use a smaller number");
   EXPECT_EQ(problem(R"("probes": [{"name": "room", "box": {"min": [0, 0, 0]}}])"),
             "scene.json:2:29: probes.room.box: has no max; give both min and max");
+  for (const char* lattice : {"true", "1", "\"none\"", "[1]"}) {
+    const std::string text = problem(R"("probes": [{"name": "room", "lattice": )" + std::string(lattice) + "}]");
+    EXPECT_NE(text.find("probes.room.lattice: must be false, or {\"spacing\": DISTANCE}"), std::string::npos) << text;
+  }
   EXPECT_NE(problem(R"("probes": [{"name": "room", "clear": "black"}])").find("\"sky\", \"open\", \"none\" or a color"),
             std::string::npos);
 }

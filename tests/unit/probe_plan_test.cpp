@@ -165,9 +165,15 @@ TEST(ProbePlan, LaterBouncesFollowBoxesAndTechniques) {
        [](Probe& probe) {
          probe.bevel = Bevel{0.2, 0.1};
        }},
-      {"occlusion", [](Probe& probe) {
+      {"occlusion",
+       [](Probe& probe) {
          probe.occlusion = BoxOcclusion{0.3, 1.2, 0.7};
-       }}};
+       }},
+      {"lattice",
+       [](Probe& probe) {
+         probe.lattice = ProbeLattice{true, 0.7};
+       }},
+      {"no lattice", [](Probe& probe) { probe.lattice = ProbeLattice{false}; }}};
   for (const auto& [name, edit] : edits) {
     SCOPED_TRACE(name);
     ThreeRooms rooms(3);

@@ -63,6 +63,8 @@ FieldValue another(const FieldInfo& field, const FieldValue& standard) {
       return BlendDistance{{1, 2, 3}, {4, 5, 6}};
     case FieldKind::Bevel:
       return Bevel{0.5, 0.25};
+    case FieldKind::LatticeOrNone:
+      return ProbeLattice{true, 0.75};
     case FieldKind::Occlusion:
       return BoxOcclusion{2.0, 3.0, 0.5};
     case FieldKind::ClearTo:
@@ -116,6 +118,7 @@ Scene oneOfEach() {
   scene.probes[0].influence = Box{{-2, -2, -2}, {2, 2, 2}};
   scene.probes[0].bevel = Bevel{0.125, 0.125};
   scene.probes[0].occlusion = BoxOcclusion();
+  scene.probes[0].lattice = ProbeLattice();
   scene.probes[0].image = "sky.exr";
   return scene;
 }
@@ -141,6 +144,8 @@ TEST(SceneFields, EachIsReadWrittenComparedAndToldAsAChange) {
       blendDistanceFields(), scene, [](Scene& s) -> BlendDistance& { return s.probes[0].blendDistance; }, shape);
   expectEachFieldWorks<Bevel>(
       bevelFields(), scene, [](Scene& s) -> Bevel& { return *s.probes[0].bevel; }, shape);
+  expectEachFieldWorks<ProbeLattice>(
+      latticeFields(), scene, [](Scene& s) -> ProbeLattice& { return *s.probes[0].lattice; }, shape);
   expectEachFieldWorks<BoxOcclusion>(
       occlusionFields(), scene, [](Scene& s) -> BoxOcclusion& { return *s.probes[0].occlusion; }, shape);
   expectEachFieldWorks<Box>(

@@ -51,8 +51,9 @@ std::string bakeListText(const std::vector<BakeRow>& rows, const std::vector<Pro
       bytes += bakeBytes(probes[i]);
     }
     const bool several = row.bounces > 1;
-    latticed |= lattices && several;
-    const std::size_t lattice = lattices && several ? latticeBytes(probes[i].box.size()) + latticeAtlasBytes(1) : 0;
+    const bool nodes = lattices && several && probes[i].hasLattice();
+    latticed |= nodes;
+    const std::size_t lattice = nodes ? latticeBytes(probes[i]) + latticeAtlasBytes(1) : 0;
     memory = std::max(memory, probeMapsBytes(probes[i].faceSize, true) * (several ? 2 : 1) + lattice);
   }
   return text + folder + ": " + std::to_string(done) + " of " + std::to_string(rows.size()) +

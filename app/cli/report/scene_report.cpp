@@ -141,7 +141,7 @@ Json lampsReport(const SceneLamps& lamps) {
 
 /// What diffuse light of a probe is made of.
 std::string diffuseLightOf(const Scene& scene, const Probe& probe) {
-  if (scene.lamps != LampForm::Shapes) return "coefficients";
+  if (scene.lamps != LampForm::Shapes || !probe.hasLattice()) return "coefficients";
   return probe.mode == ProbeMode::Custom ? "lattice" : "lamps and lattice";
 }
 

@@ -66,6 +66,7 @@ ProbePanel::ProbePanel(Workspace& workspace) : editor_(workspace.editor()) {
   buildPlace();
   buildInfluence();
   buildLook();
+  buildDiffuse();
   // What a field is called from outside: by style sheets and tests.
   const std::pair<QWidget*, const char*> names[] = {{origin_, "origin"},
                                                     {boxMin_, "boxMin"},
@@ -83,7 +84,9 @@ ProbePanel::ProbePanel(Workspace& workspace) : editor_(workspace.editor()) {
                                                     {occluded_, "occlusion"},
                                                     {occlusionMultiplier_, "occlusionMultiplier"},
                                                     {occlusionPower_, "occlusionPower"},
-                                                    {occlusionStrength_, "occlusionStrength"}};
+                                                    {occlusionStrength_, "occlusionStrength"},
+                                                    {lattice_, "lattice"},
+                                                    {latticeSpacing_, "latticeSpacing"}};
   for (const auto& [widget, name] : names) widget->setObjectName(name);
   workspace.changes().add("probe panel", selectedProbeKinds(), [this](const Changes&) { update(); });
   connect(&workspace.editor(), &Editor::selectionChanged, this, &ProbePanel::update);
@@ -242,6 +245,26 @@ void ProbePanel::buildEdges(QFormLayout* form) {
   occlusionStrength_ = number(tr("Strength"), "strength", 0.05, &BoxOcclusion::strength);
 }
 
+void ProbePanel::buildDiffuse() {
+  diffuse_ = addSection(this, tr("Diffuse light"));
+  lattice_ = addProbeChoice(
+      diffuse_, tr("Lattice"),
+      {{tr("Automatic"), 0, tr("1 m apart, 0.5 m where the box has an opening")},
+       {tr("Spaced by hand"), 1},
+       {tr("None"), 2, tr("The whole map lights every place alike")}},
+      fieldTip(probeField("lattice")), [this](int choice) {
+        editor_.commitProbe(label(tr("lattice")), [choice](Probe& probe) {
+          const double spacing = probe.lattice.value_or(ProbeLattice()).spacing;
+          probe.lattice = choice == 0 ? std::nullopt : std::optional<ProbeLattice>({choice == 1, spacing});
+        });
+      });
+  const auto& spacing = latticeFields().front();
+  latticeSpacing_ = addProbeNumber(editor_, diffuse_, tr("Spacing"), fieldFormat(spacing, 0.1, 2), fieldTip(spacing),
+                                   [](Probe& probe, double value) {
+                                     if (probe.lattice) probe.lattice->spacing = value;
+                                   });
+}
+
 void ProbePanel::updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
     min->field(axis)->setBounds(formRange(boxField("min")).lowest, box.max[axis] - kMinimumThickness);
@@ -292,6 +315,11 @@ void ProbePanel::update() {
   occlusionMultiplier_->show(occlusion.multiplier);
   occlusionPower_->show(occlusion.power);
   occlusionStrength_->show(occlusion.strength);
+  const bool spaced = probe->lattice && probe->lattice->used;
+  showChoice(lattice_, !probe->lattice ? 0 : spaced ? 1 : 2);
+  latticeSpacing_->show(probe->lattice.value_or(ProbeLattice()).spacing);
+  latticeSpacing_->setVisible(spaced);
+  diffuse_->labelForField(latticeSpacing_)->setVisible(spaced);
   markDifferences();
 }
 
@@ -338,6 +366,8 @@ void ProbePanel::markDifferences() {
   mark(occlusionMultiplier_, [&](const Probe& probe) { return occlusionOf(probe).multiplier; });
   mark(occlusionPower_, [&](const Probe& probe) { return occlusionOf(probe).power; });
   mark(occlusionStrength_, [&](const Probe& probe) { return occlusionOf(probe).strength; });
+  mark(lattice_, [](const Probe& probe) { return probe.lattice ? 1 + int{probe.lattice->used} : 0; });
+  mark(latticeSpacing_, [](const Probe& probe) { return probe.lattice.value_or(ProbeLattice()).spacing; });
 }
 
 }  // namespace boxprobe

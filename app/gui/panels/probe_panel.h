@@ -35,6 +35,7 @@ class ProbePanel : public QWidget {
   void buildInfluence();
   void buildLook();
   void buildEdges(QFormLayout* form);
+  void buildDiffuse();
   void connectVector(VectorRow* row, const QString& what, const VectorEdit& edit);
   void updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box);
   void markDifferences();
@@ -57,6 +58,9 @@ class ProbePanel : public QWidget {
   QCheckBox* occluded_ = nullptr;
   QWidget* occlusionFields_ = nullptr;
   ValueField *occlusionMultiplier_ = nullptr, *occlusionPower_ = nullptr, *occlusionStrength_ = nullptr;
+  QComboBox* lattice_ = nullptr;
+  QFormLayout* diffuse_ = nullptr;
+  ValueField* latticeSpacing_ = nullptr;
 };
 
 }  // namespace boxprobe

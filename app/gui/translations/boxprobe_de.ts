@@ -1770,6 +1770,18 @@
         <source>shadow ray</source>
         <translation>Schattenstrahl</translation>
     </message>
+    <message>
+        <source>nodes 1 m apart, 0.5 m where the box has an opening</source>
+        <translation>Knoten im Abstand von 1 m, von 0,5 m, wo die Box eine Öffnung hat</translation>
+    </message>
+    <message>
+        <source>Distance between the nodes, about: at least 2 and at most 16 of them stand along each axis.</source>
+        <translation>Ungefährer Abstand der Knoten: Entlang jeder Achse stehen mindestens 2 und höchstens 16.</translation>
+    </message>
+    <message>
+        <source>The nodes at which diffuse light is known; with `false` there are none, and the whole map lights every place alike.</source>
+        <translation>Die Knoten, an denen diffuses Licht bekannt ist; mit `false` gibt es keine, und die ganze Map beleuchtet jeden Ort gleich.</translation>
+    </message>
 </context>
 <context>
     <name>TypedNumber</name>
@@ -6459,6 +6471,42 @@ eine Abfrage, auf Fläche %1</translation>
     <message>
         <source>The selected probes have different techniques.</source>
         <translation>Die ausgewählten Sonden haben verschiedene Techniken.</translation>
+    </message>
+    <message>
+        <source>Diffuse light</source>
+        <translation>Diffuses Licht</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>1 m apart, 0.5 m where the box has an opening</source>
+        <translation>Knoten im Abstand von 1 m, von 0,5 m, wo die Box eine Öffnung hat</translation>
+    </message>
+    <message>
+        <source>Spaced by hand</source>
+        <translation>Abstand von Hand</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>The whole map lights every place alike</source>
+        <translation>Die ganze Map beleuchtet jeden Ort gleich</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>Gitter</translation>
     </message>
 </context>
 <context>

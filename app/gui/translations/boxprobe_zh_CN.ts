@@ -1770,6 +1770,18 @@
         <source>shadow ray</source>
         <translation>阴影光线</translation>
     </message>
+    <message>
+        <source>nodes 1 m apart, 0.5 m where the box has an opening</source>
+        <translation>节点间距 1 m，盒有开口时为 0.5 m</translation>
+    </message>
+    <message>
+        <source>Distance between the nodes, about: at least 2 and at most 16 of them stand along each axis.</source>
+        <translation>节点之间的大致距离：每个轴上至少 2 个、至多 16 个。</translation>
+    </message>
+    <message>
+        <source>The nodes at which diffuse light is known; with `false` there are none, and the whole map lights every place alike.</source>
+        <translation>已知漫反射光的节点；设为 `false` 时没有节点，整张贴图对各处的照明相同。</translation>
+    </message>
 </context>
 <context>
     <name>TypedNumber</name>
@@ -6459,6 +6471,42 @@ one lookup, on face %1</source>
     <message>
         <source>The selected probes have different techniques.</source>
         <translation>所选探针使用不同的技术。</translation>
+    </message>
+    <message>
+        <source>Diffuse light</source>
+        <translation>漫反射光</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>1 m apart, 0.5 m where the box has an opening</source>
+        <translation>节点间距 1 m，盒有开口时为 0.5 m</translation>
+    </message>
+    <message>
+        <source>Spaced by hand</source>
+        <translation>手动间距</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>The whole map lights every place alike</source>
+        <translation>整张贴图对各处的照明相同</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>间距</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation>格点</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>格点</translation>
     </message>
 </context>
 <context>

@@ -68,10 +68,16 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Tables",
                       "Darkens near reflections by mix(1, clamp(multiplier * d^power, 0, 1), strength), d metres along "
                       "the reflected ray. A look; it makes no picture truer."),
+    QT_TRANSLATE_NOOP("Tables",
+                      "The nodes at which diffuse light is known; with `false` there are none, and the whole map "
+                      "lights every place alike."),
+    QT_TRANSLATE_NOOP("Tables", "nodes 1 m apart, 0.5 m where the box has an opening"),
     QT_TRANSLATE_NOOP("Tables", "Least corner."),
     QT_TRANSLATE_NOOP("Tables", "Greatest corner; no component less than that of `min`."),
     QT_TRANSLATE_NOOP("Tables", "Distances inside the -x, -y and -z faces."),
     QT_TRANSLATE_NOOP("Tables", "Distances inside the +x, +y and +z faces."),
+    QT_TRANSLATE_NOOP("Tables",
+                      "Distance between the nodes, about: at least 2 and at most 16 of them stand along each axis."),
     QT_TRANSLATE_NOOP("Tables",
                       "Radius of the box's edges: reflections turn a corner instead of breaking at it; 0 is sharp."),
     QT_TRANSLATE_NOOP("Tables",

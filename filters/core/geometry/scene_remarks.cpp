@@ -1,6 +1,7 @@
 // What a scene asks for that will not show in the picture: features this version accepts without acting on them, and
 // names that the models do not have. `info`, rendering (as warnings) and the window show these.
 #include <algorithm>
+#include <cmath>
 #include <glm/vector_relational.hpp>
 
 #include "filters/core/base/field_error.h"
@@ -12,6 +13,7 @@
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 #include "filters/core/scene/technique_parameters.h"
+#include "filters/math/cube/diffuse_lattice.h"
 #include "filters/math/technique/automatic.h"
 
 namespace boxprobe {
@@ -56,6 +58,16 @@ void budgetRemarks(Remarks& remarks, const Probe& probe) {
   }
 }
 
+void latticeRemarks(Remarks& remarks, const Probe& probe) {
+  if (!probe.lattice || !probe.lattice->used) return;
+  const glm::dvec3 steps = probe.box.size() / probe.lattice->spacing;
+  const double most = std::max({steps.x, steps.y, steps.z});
+  if (std::lround(std::min(most, 1.0e9)) < DiffuseLattice::kMostNodes) return;
+  remark(remarks, {"probes", probe.name, "lattice", "spacing"},
+         "is " + numberText(probe.lattice->spacing) + ": along an axis stand at most " +
+             std::to_string(DiffuseLattice::kMostNodes) + " nodes, so they are farther apart.");
+}
+
 void probeRemarks(Remarks& remarks, const Probe& probe) {
   const auto say = [&](const char* key, const std::string& sentence) {
     remark(remarks, {"probes", probe.name, key}, sentence);
@@ -66,6 +78,7 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   if (probe.decode && probe.encoding == ImageEncoding::Linear) {
     say("decode", "is not used by encoding linear; name the picture's: rgbm, dldr or rgbmLinear.");
   }
+  latticeRemarks(remarks, probe);
   parameterRemarks(remarks, probe);
   budgetRemarks(remarks, probe);
 }

@@ -87,6 +87,7 @@ class Check {
   void operator()(const BlendDistance& blend) const { checkFields(blendDistanceFields(), blend, below()); }
   void operator()(const Bevel& bevel) const { checkFields(bevelFields(), bevel, below()); }
   void operator()(const BoxOcclusion& occlusion) const { checkFields(occlusionFields(), occlusion, below()); }
+  void operator()(const ProbeLattice& lattice) const { checkFields(latticeFields(), lattice, below()); }
   void operator()(const Clear& clear) const {
     if (const auto* color = std::get_if<glm::vec3>(&clear)) (*this)(*color);
   }

@@ -88,6 +88,7 @@ constexpr FieldKind kindOf() {
   if constexpr (std::is_same_v<Plain, BlendDistance>) return FieldKind::BlendDistance;
   if constexpr (std::is_same_v<Plain, Bevel>) return FieldKind::Bevel;
   if constexpr (std::is_same_v<Plain, BoxOcclusion>) return FieldKind::Occlusion;
+  if constexpr (std::is_same_v<Plain, ProbeLattice>) return FieldKind::LatticeOrNone;
   if constexpr (std::is_same_v<Plain, Clear>) return FieldKind::ClearTo;
   if constexpr (std::is_same_v<Plain, std::map<std::string, ParameterValue>>) return FieldKind::Parameters;
   return FieldKind::Parts;

@@ -134,13 +134,19 @@ const std::vector<FieldRow<Probe>>& probeFields() {
                            "instead of breaking at it.")
           .writtenAs("number or object, below")
           .leftOut("sharp edges")
-
           .changing(shape),
       field<&Probe::occlusion>("occlusion", "",
                                "Darkens near reflections by mix(1, clamp(multiplier * d^power, 0, 1), strength), d "
                                "metres along the reflected ray. A look; it makes no picture truer.")
           .writtenAs("object, below")
           .leftOut("none")
+          .changing(shape),
+      field<&Probe::lattice>(
+          "lattice", "",
+          "The nodes at which diffuse light is known; with `false` there are none, and the whole map "
+          "lights every place alike.")
+          .writtenAs("object, below, or `false`")
+          .leftOut("nodes 1 m apart, 0.5 m where the box has an opening")
           .changing(shape),
   };
   return rows;
@@ -166,6 +172,19 @@ const std::vector<FieldRow<BlendDistance>>& blendDistanceFields() {
           .atLeast(0)
           .always()
           .usually(0, 1e7),
+  };
+  return rows;
+}
+
+const std::vector<FieldRow<ProbeLattice>>& latticeFields() {
+  static const std::vector<FieldRow<ProbeLattice>> rows = {
+      field<&ProbeLattice::spacing>(
+          "spacing", "m",
+          "Distance between the nodes, about: at least 2 and at most 16 of them stand along each "
+          "axis.")
+          .above(0)
+          .always()
+          .usually(0.1, 10),
   };
   return rows;
 }

@@ -213,6 +213,13 @@ struct Bevel {
   bool operator==(const Bevel&) const;
 };
 
+/// Where a probe knows its diffuse light: at the nodes of a lattice, between which it is blended.
+struct ProbeLattice {
+  bool used = true;      ///< false: the light of the whole map everywhere
+  double spacing = 1.0;  ///< of the nodes, about, > 0, scene units
+  bool operator==(const ProbeLattice&) const;
+};
+
 /// Darkening by hit distance d: mix(1, saturate(multiplier * d^power), strength).
 struct BoxOcclusion {
   double multiplier = 1.0;
@@ -251,8 +258,10 @@ struct Probe {
   std::vector<std::string> hides;  ///< names of nodes left out of this probe's capture
   std::optional<Bevel> bevel;
   std::optional<BoxOcclusion> occlusion;
+  std::optional<ProbeLattice> lattice;  ///< empty: nodes a metre apart, and half of it where light falls steeply
 
   const Box& influenceBox() const { return influence ? *influence : box; }
+  bool hasLattice() const { return !lattice || lattice->used; }
   bool operator==(const Probe&) const;
 };
 

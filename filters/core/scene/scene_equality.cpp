@@ -48,6 +48,10 @@ bool BlendDistance::operator==(const BlendDistance& o) const {
   return sameFields(blendDistanceFields(), *this, o);
 }
 
+bool ProbeLattice::operator==(const ProbeLattice& o) const {
+  return used == o.used && (!used || sameFields(latticeFields(), *this, o));
+}
+
 bool Bevel::operator==(const Bevel& o) const {
   return sameFields(bevelFields(), *this, o);
 }

@@ -32,14 +32,15 @@ enum class FieldKind {
   BlendDistance,
   Bevel,
   Occlusion,  ///< parts with rows of their own
+  LatticeOrNone,
   ClearTo,
   Parts,  ///< lists and maps of parts with rows of their own; the reader and the writer iterate them
 };
 
 /// The value of a field. Monostate: an optional that is left out. A choice is the index of its id.
 using FieldValue = std::variant<std::monostate, bool, int, float, double, std::string, glm::dvec2, glm::vec3,
-                                glm::dvec3, std::vector<std::string>, Box, BlendDistance, Bevel, BoxOcclusion, Clear,
-                                std::map<std::string, ParameterValue>>;
+                                glm::dvec3, std::vector<std::string>, Box, BlendDistance, Bevel, BoxOcclusion,
+                                ProbeLattice, Clear, std::map<std::string, ParameterValue>>;
 
 struct FieldRange {
   double lowest = -limits::kNumber;

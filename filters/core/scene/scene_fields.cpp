@@ -64,6 +64,7 @@ std::vector<FieldPart> fieldParts() {
       part("probes[].blendDistance", "One number stands for all six faces.", probeField("blendDistance"),
            blendDistanceFields()),
       part("probes[].bevel", "A number alone is the radius.", probeField("bevel"), bevelFields()),
+      part("probes[].lattice", "`false` in its place: no nodes.", probeField("lattice"), latticeFields()),
       part("probes[].occlusion", "`{}` switches it on with the defaults.", probeField("occlusion"), occlusionFields()),
   };
 }

@@ -25,6 +25,7 @@ const std::vector<FieldRow<Probe>>& probeFields();
 const std::vector<FieldRow<Box>>& boxFields();
 const std::vector<FieldRow<BlendDistance>>& blendDistanceFields();
 const std::vector<FieldRow<Bevel>>& bevelFields();
+const std::vector<FieldRow<ProbeLattice>>& latticeFields();
 const std::vector<FieldRow<BoxOcclusion>>& occlusionFields();
 
 /// Null if there is none of that key.

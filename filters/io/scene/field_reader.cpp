@@ -48,6 +48,12 @@ Bevel readBevel(const JsonCursor& value) {
   return readPart(value, bevelFields(), "");
 }
 
+ProbeLattice readLattice(const JsonCursor& value) {
+  if (value.json().is_boolean() && !value.boolean()) return {false};
+  if (!value.json().is_object()) value.fail("must be false, or {\"spacing\": DISTANCE}");
+  return readPart(value, latticeFields(), "");
+}
+
 ParameterValue readParameter(const JsonCursor& value) {
   if (value.json().is_boolean()) return value.boolean();
   if (value.json().is_number()) return value.number();
@@ -105,6 +111,8 @@ FieldValue readValue(const JsonCursor& value, const FieldInfo& field, const std:
       return readBevel(value);
     case FieldKind::Occlusion:
       return readPart(value, occlusionFields(), "");
+    case FieldKind::LatticeOrNone:
+      return readLattice(value);
     case FieldKind::ClearTo:
       return readClear(value);
     case FieldKind::Parts:

@@ -122,6 +122,9 @@ struct ToJson {
     if (bevel.fromRoughness == 0.0 && how.form == JsonForm::Minimal) return toJson(bevel.radius);
     return writtenPart(bevelFields(), bevel, how);
   }
+  Json operator()(const ProbeLattice& lattice) const {
+    return lattice.used ? writtenPart(latticeFields(), lattice, how) : Json(false);
+  }
   Json operator()(const BoxOcclusion& occlusion) const { return writtenPart(occlusionFields(), occlusion, how); }
   Json operator()(const Box& box) const { return writtenPart(boxFields(), box, how); }
   Json operator()(const Clear& clear) const { return clearJson(clear); }

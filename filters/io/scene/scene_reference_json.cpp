@@ -44,6 +44,8 @@ const char* kindId(FieldKind kind) {
       return "bevel";
     case FieldKind::Occlusion:
       return "occlusion";
+    case FieldKind::LatticeOrNone:
+      return "lattice";
     case FieldKind::ClearTo:
       return "clear";
     case FieldKind::Parts:

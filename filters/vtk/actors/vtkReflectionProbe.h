@@ -141,7 +141,7 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
 
   ///@{
   /** Conversion to the libraries' struct, named `name`, without validation; and back, without what this class lacks (a
-   * bevel, occlusion, pictures in place of captures). */
+   * bevel, occlusion, a lattice of its own, pictures in place of captures). */
   boxprobe::Probe ToProbe(const std::string& name) const;
   void FromProbe(const boxprobe::Probe& probe);
   ///@}

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "filters/core/geometry/probe_reach.h"
 #include "filters/math/cube/diffuse_lattice.h"
 #include "filters/math/sampling/filter_lobe.h"
 
@@ -31,10 +32,13 @@ std::size_t captureScratchBytes(int faceSize) {
   return bytes;
 }
 
-std::size_t latticeBytes(const glm::dvec3& boxSize) {
+std::size_t latticeBytes(const Probe& probe) {
+  const Box& influence = probe.influenceBox();
+  const ProbeReach reach = influenceReach(probe.box.min, probe.box.max, influence.min, influence.max);
   // As many as it may have, where there is a door: tracedSpacing().
-  const glm::ivec3 nodes =
-      latticeNodes(glm::vec3(boxSize), 0.5f * LatticeSettings{}.spacing * static_cast<float>(metreOf(boxSize)));
+  const double usual = 0.5 * LatticeSettings{}.spacing * metreOf(probe.box.size());
+  const auto spacing = static_cast<float>(probe.lattice ? probe.lattice->spacing : usual);
+  const glm::ivec3 nodes = latticeNodes(glm::vec3(probe.box.size() + reach.low + reach.high), spacing);
   return static_cast<std::size_t>(nodes.x * nodes.y * nodes.z) * kLatticeTexels * sizeof(glm::vec4);
 }
 

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/vec3.hpp>
 #include <string>
+
+#include "filters/core/scene/scene.h"
 
 namespace boxprobe {
 
@@ -14,8 +15,8 @@ std::size_t probeMapsBytes(int faceSize, bool distances);
 std::size_t captureScratchBytes(int faceSize);
 
 /// Main memory of a probe's lattice of diffuse light (filters/math/cube/diffuse_lattice.h) with as many nodes as one
-/// that is traced may have, for a box of that size in scene units.
-std::size_t latticeBytes(const glm::dvec3& boxSize);
+/// that is traced may have.
+std::size_t latticeBytes(const Probe& probe);
 /// Texture memory for the lattices of so many probes: one texture, whose tiles are doubled until all fit.
 std::size_t latticeAtlasBytes(std::size_t lattices);
 

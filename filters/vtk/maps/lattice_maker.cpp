@@ -61,7 +61,9 @@ struct LatticeWork {
     const CubeMap capture = latticeCapture(radiance);
     const CubeMap sky = source.sky ? plainMeans(*source.sky) : CubeMap();
     const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));
-    settings.spacing = tracedSpacing(source.boxMin, source.boxMax, settings.spacing, means, source.traced);
+    settings.spacing = source.spacing > 0.0f
+                           ? source.spacing / static_cast<float>(metreOf(source.boxMax - source.boxMin))
+                           : tracedSpacing(source.boxMin, source.boxMax, settings.spacing, means, source.traced);
     const DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe,
                                                         settings, source.sky ? &sky : nullptr);
     auto lattice = std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
@@ -79,8 +81,9 @@ LatticeCosts latticeCosts() {
 
 bool LatticeSource::operator==(const LatticeSource& o) const {
   return boxMin == o.boxMin && boxMax == o.boxMax && reach == o.reach && mapFromProbe == o.mapFromProbe &&
-         worldFromProbe == o.worldFromProbe && projection == o.projection && fewRays == o.fewRays && sky == o.sky &&
-         traced == o.traced && std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
+         worldFromProbe == o.worldFromProbe && projection == o.projection && spacing == o.spacing &&
+         fewRays == o.fewRays && sky == o.sky && traced == o.traced &&
+         std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
 }
 
 void LatticeMaker::keep(LatticeSource source, Lattice lattice) {

@@ -20,6 +20,7 @@ struct LatticeSource {
   ProbeReach reach;                      ///< where what is traced leaves an opening in that side
   glm::mat3 mapFromProbe{1.0f}, worldFromProbe{1.0f};
   int projection = 0;              ///< index in the projection table
+  float spacing = 0.0f;            ///< of the nodes, scene units; 0: as the box and its openings ask for
   bool fewRays = false;            ///< it is derived continuously
   std::vector<LampPolygon> lamps;  ///< those removed from the map: relative to the capture origin, along the map's axes
   LatticeSurroundings traced;      ///< what nodes' rays see besides the capture; without lines: nothing

@@ -16,8 +16,9 @@ namespace boxprobe {
 
 namespace {
 
-// Increase it whenever captures or filters give other texels for the same inputs, so that older files are baked again.
-constexpr int kBakeVersion = 6;
+// Increase them whenever captures or filters give other texels for the same inputs, so that older files are made again.
+// A sky is not lit: what only probes' captures show needs none of its own, and studio.levels stays.
+constexpr int kBakeVersion = 6, kSkyVersion = 5;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
   if (!use.image) return {};
@@ -154,6 +155,9 @@ void addValue(ContentHash& hash, const Bevel& bevel) {
 void addValue(ContentHash& hash, const BoxOcclusion& occlusion) {
   hash.add(occlusion.multiplier).add(occlusion.power).add(occlusion.strength);
 }
+void addValue(ContentHash& hash, const ProbeLattice& lattice) {
+  hash.add(lattice.used ? lattice.spacing : 0.0);
+}
 void addValue(ContentHash& hash, const Clear& clear) {
   hash.add(static_cast<double>(clear.index()));
   if (const auto* color = std::get_if<glm::vec3>(&clear)) hash.addVector(*color);
@@ -188,7 +192,7 @@ std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, 
   // it.
   if (!std::holds_alternative<ClearToOpen>(probe.clear)) {
     hash.add(world.sky);
-  } else if (world.several(probe) && !world.latticeSky.empty()) {
+  } else if (world.several(probe) && world.nodesBringSky(probe)) {
     hash.add(world.latticeSky);
   }
   for (const std::size_t i : objectsThatMeet(world, probe, meets)) {
@@ -272,7 +276,7 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& o
 
 std::string skyKey(const Scene& scene, const std::string& skyPixels) {
   ContentHash hash;
-  hash.add("sky").add(kBakeVersion).add(static_cast<double>(scene.sky.index()));
+  hash.add("sky").add(kSkyVersion).add(static_cast<double>(scene.sky.index()));
   if (const auto* gradient = std::get_if<SkyGradient>(&scene.sky)) {
     hash.addVector(gradient->top).addVector(gradient->horizon).addVector(gradient->ground);
   } else if (const auto* color = std::get_if<SkyColor>(&scene.sky)) {

@@ -63,6 +63,7 @@ struct CaptureWorld {
 
   /// Is a first capture of it, or will it be, followed by others?
   bool several(const Probe& probe) const { return probe.bounces > 1 || cutShort.count(probe.name) != 0; }
+  bool nodesBringSky(const Probe& probe) const { return !latticeSky.empty() && probe.hasLattice(); }
 };
 
 /// `skyPixels`: the fingerprint of the sky's image, if it has one; `probes`: the scene's.

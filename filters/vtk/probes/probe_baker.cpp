@@ -235,7 +235,7 @@ BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>
     item.drawing = [this, job](bool begins) { begins ? seeBounce(job) : with_.binder->seeAgain(); };
   }
   // A sky that nothing hides would shine into rooms; nodes of lattices know what hides it.
-  const bool traced = !drag && !with_.plan->world().latticeSky.empty();
+  const bool traced = !drag && with_.plan->world().nodesBringSky(as);
   const bool first = traced && job.bounce == 1 && with_.plan->firstWithoutSky(*with_.plan->entries().find(job.name));
   const bool open = std::holds_alternative<ClearToOpen>(as.clear) && !(traced && job.bounce > 1);
   if (open || first) item.drawing = with_.binder->withoutSky(std::move(item.drawing));

@@ -205,7 +205,8 @@ void ProbeBinder::updateLamps() {
     drawn.shapes = content.lamps != nullptr;
     drawn.prefilter = prefilterSettings(probe);
     drawn.realtime = probe.mode == ProbeMode::Realtime;
-    if (!drawn.shapes) drawn.latticeBefore.reset();
+    drawn.nodes = probe.lattice;
+    if (!drawn.shapes || !probe.hasLattice()) drawn.latticeBefore.reset();
     static const SceneLamps kNotKnown;
     const bool known = probe.mode != ProbeMode::Custom;
     if (drawn.shapes && content.sightLines) {

@@ -5,7 +5,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include "filters/core/geometry/probe_reach.h"
 #include "filters/vtk/gl/map_bytes.h"
 #include "filters/vtk/maps/content_hash.h"
 
@@ -61,9 +60,7 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures, bool la
   largest_ = std::max(largest_, size);
   ++count_;
   if (!lattices) return;
-  const Box& influence = probe.influenceBox();
-  const ProbeReach reach = influenceReach(probe.box.min, probe.box.max, influence.min, influence.max);
-  copies_ += latticeBytes(probe.box.size() + reach.low + reach.high);
+  copies_ += latticeBytes(probe);
   ++latticeCount_;
 }
 
@@ -215,7 +212,7 @@ BounceKeys::Input ProbePlan::input(std::size_t index) const {
   }
   input.bounces = probe.bounces;
   input.lattices = world_.lattices;
-  input.latticeSky = !world_.latticeSky.empty();
+  input.latticeSky = world_.nodesBringSky(probe);
   input.several = world_.several(probe);
   input.imported = probe.mode == ProbeMode::Custom;
   input.realtime = probe.mode == ProbeMode::Realtime;
@@ -338,7 +335,8 @@ std::string ProbePlan::faceKey(std::size_t index, int bounce, int face) const {
 }
 
 bool ProbePlan::firstWithoutSky(std::size_t index) const {
-  return !world_.latticeSky.empty() && world_.several(entries_.probe(index));
+  const Probe& probe = entries_.probe(index);
+  return world_.nodesBringSky(probe) && world_.several(probe);
 }
 
 std::string ProbePlan::realtimeFaceKey(const Probe& probe, int face) const {
@@ -539,7 +537,7 @@ bool ProbePlan::checkMemory(std::size_t limitBytes, std::size_t visibilityBytes)
   };
   MemoryNeed need;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (asked(i)) need.add(entries_.probe(i), sources_.pictures, world_.lattices);
+    if (asked(i)) need.add(entries_.probe(i), sources_.pictures, world_.lattices && entries_.probe(i).hasLattice());
   }
   need.addVisibilities(visibilityBytes);
   memoryError_ = need.bytes() <= limitBytes ? std::string() : need.error(limitBytes);
