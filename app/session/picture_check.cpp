@@ -272,6 +272,14 @@ class Checker {
     return picture;
   }
 
+  /// Of a bare model, whose one probe nobody has changed since.
+  bool asOpened() const {
+    const auto& fit = loaded_.fit;
+    const std::vector<Probe>& own = loaded_.scene.probes;
+    return fit && fit->box && own.size() == 1 && own.front().box == fit->box->probe.box &&
+           own.front().bounces == (fit->kind == ModelKind::Interior ? kRoomBounces : 1);
+  }
+
   static bool isBetter(const PictureErrors& errors, const PictureErrors& best) {
     return errors.error < kBetter * best.error;
   }
@@ -324,10 +332,11 @@ class Checker {
       }
     }
     std::vector<Probe> bounced = own;
-    const bool acrossBoth = both && loaded_.fit;  // nobody set that box by hand
+    const bool acrossBoth = both && asOpened();  // nobody set that box by hand
+    int bouncesOfOwn = 0;
     if (!own.empty() && placement_.kept.empty() && !acrossBoth) {
       for (const int bounces : {kRoomBounces, 1}) {
-        if (bounces == 1 && !loaded_.fit) continue;  // what a person has chosen is not lowered
+        if (bounces == 1 && !asOpened()) continue;  // what a person has chosen is not lowered
         const std::vector<Probe> others = withBounces(own, bounces);
         if (others == own) continue;
         const auto errors = errorsWith(others);
@@ -338,6 +347,7 @@ class Checker {
         if (!best || errors->error < kBetter * best->error) {
           best = *errors, choice = Choice::OwnWithBounces;
           bounced = others;
+          bouncesOfOwn = bounces;
           bestSquares_ = roomSquares_;
         }
       }
@@ -351,8 +361,7 @@ class Checker {
     } else if (choice == Choice::OwnWithBounces) {
       placement_.probes.clear();
       placement_.kept = bounced;
-      // Of a bare model it is nobody's own.
-      if (loaded_.fit && bounced.size() == 1) {
+      if (asOpened()) {  // it is nobody's own
         placement_.kept.clear();
         placement_.probes.push_back({bounced.front(), 0, false, 0.0, *loaded_.fit->box});
         placement_.probes.back().reason =
@@ -373,7 +382,7 @@ class Checker {
     check_.after = *best;
     if (choice == Choice::OwnWithBounces && placement_.probes.empty()) {
       check_.sentences.push_back(
-          Phrase::tr("the scene's own probes stay, bounces of light: %1").arg(std::to_string(bounced.front().bounces)));
+          Phrase::tr("the scene's own probes stay, bounces of light: %1").arg(std::to_string(bouncesOfOwn)));
     }
     return true;
   }
@@ -519,8 +528,11 @@ class Checker {
   }
 
   bool tryBounces(PictureErrors& best) {
+    // What a person has chosen is not lowered.
+    const bool lower = asOpened() && std::any_of(placement_.probes.begin(), placement_.probes.end(),
+                                                 [](const PlacedProbe& placed) { return placed.probe.bounces != 1; });
     for (const int bounces : {kRoomBounces, 1}) {
-      if (bounces == 1 && !loaded_.fit) continue;  // what a person has chosen is not lowered
+      if (bounces == 1 && !lower) continue;
       const std::vector<PlacedProbe> still = placement_.probes;
       bool other = false;
       for (PlacedProbe& placed : placement_.probes) {

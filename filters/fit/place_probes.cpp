@@ -81,6 +81,7 @@ void inheritSettings(const std::vector<Probe>& own, Probe& probe) {
   probe.filter = nearest->filter;
   probe.samplesPerPixel = nearest->samplesPerPixel;
   probe.filterSamples = nearest->filterSamples;
+  probe.lattice = nearest->lattice;
 }
 
 class Placer {

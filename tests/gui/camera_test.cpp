@@ -85,6 +85,26 @@ TEST_F(CameraTest, TheWheelComesCloserToThePointUnderThePointer) {
   EXPECT_GT(glm::dot(camera().position - *pointed, *pointed - before), 0.0) << "the wall was gone through";
 }
 
+// However far it goes in or out, it still looks somewhere, and turns.
+TEST_F(CameraTest, ZoomingWithoutEndKeepsADirection) {
+  const glm::dvec3 was = glm::normalize(camera().target - camera().position);
+  const auto soundAfter = [&](double pixels, const char* what) {
+    for (int i = 0; i < 20; ++i) drag({400, 400}, {400, 400 + pixels}, Qt::ControlModifier, 2);
+    const Camera now = camera();
+    const glm::dvec3 is = glm::normalize(now.target - now.position);
+    EXPECT_GT(glm::dot(is, was), 0.999) << what;
+    EXPECT_LT(distance(now), 1.0e15) << what;
+    const auto pixel = window_->viewport().view().pixel(now.position + is);
+    ASSERT_TRUE(pixel) << what;
+    EXPECT_NEAR(pixel->x, 0.5 * window_->viewport().width(), 1.0) << what;
+  };
+  soundAfter(-390.0, "in");
+  soundAfter(390.0, "out");
+  drag({400, 400}, {460, 400});
+  const Camera turned = camera();
+  EXPECT_LT(glm::dot(glm::normalize(turned.target - turned.position), was), 0.999);
+}
+
 TEST_F(CameraTest, TheRightButtonLooksAroundFromWhereOneStands) {
   const Camera before = camera();
   press(kBeside, {}, Qt::RightButton);

@@ -61,15 +61,18 @@ class PlacePanelTest : public WindowTest {
     const std::string bytes = scenes::glbBytes(test::madeFlat(wishes));
     file.write(bytes.data(), static_cast<qint64>(bytes.size()));
     file.close();
+    dropFile(file.fileName());
+    ASSERT_TRUE(QString::fromStdString(document().scene().models.front().file).endsWith("flat.glb"));
+  }
+  void dropFile(const QString& name) {
     QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file.fileName())});
+    data.setUrls({QUrl::fromLocalFile(name)});
     QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, {});
     QCoreApplication::sendEvent(window_, &enter);
     ASSERT_TRUE(enter.isAccepted());
     QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, {});
     QCoreApplication::sendEvent(window_, &event);
     waitUntilIdle();
-    ASSERT_TRUE(QString::fromStdString(document().scene().models.front().file).endsWith("flat.glb"));
   }
   void placeByKey() {
     ASSERT_TRUE(ghosts_.empty());
@@ -111,6 +114,24 @@ TEST_F(PlacePanelTest, ADroppedFlatOfTwoRoomsGetsTwoProbesAndOneUndoRestoresIt) 
   }
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(document().scene().probes == before.probes);
+}
+
+// What is tried is told beside the errors. Of a bare model captures of one bounce are, too, but not once somebody has
+// chosen their number.
+TEST_F(PlacePanelTest, ABareRoomIsTriedAsTheCommandTriesIt) {
+  dropFile(BOXPROBE_DATA_DIR "/scenes/room.glb");
+  const auto tried = [this] {
+    panel()->place();
+    EXPECT_TRUE(waitFor([this] { return !panel()->running(); }));
+    waitUntilIdle();
+    const QString words = find<QLabel>("placeErrors")->toolTip();
+    EXPECT_TRUE(words.contains("one box around all of the model")) << words.toStdString();
+    return words.contains("bounces of light: 1;") || words.contains("bounces of light in the captures: 1;");
+  };
+  EXPECT_TRUE(tried());
+  window_->editor().commit("Bounces", [](Scene& scene) { scene.probes.front().bounces = 2; });
+  waitUntilIdle();
+  EXPECT_FALSE(tried());
 }
 
 TEST_F(PlacePanelTest, ProbesAreAcceptedOneByOneAndAdded) {

@@ -182,6 +182,16 @@ TEST(Remarks, EachFeatureThatIsNotUsedIsNamedWithItsKey) {
                           HasSubstr("probes.room.parameters.power: is not used by technique box+none")));
 }
 
+TEST(Remarks, ALatticeIsOfLampsAsShapes) {
+  Scene scene = twoProbes();
+  for (Probe& probe : scene.probes) probe.lattice = ProbeLattice{true, 0.7};
+  EXPECT_THAT(featuresNotUsed(scene), IsEmpty());
+  scene.lamps = LampForm::InMap;
+  scene.probes[0].lattice = ProbeLattice{false};
+  EXPECT_THAT(featuresNotUsed(scene),
+              ElementsAre(HasSubstr("probes.hall.lattice: is not used where lamps are in-map")));
+}
+
 TEST(Remarks, OverridesOfWhatTheModelsLackAreNamedWithTheNearest) {
   Model model;
   model.materials.resize(2);

@@ -82,6 +82,7 @@ void runShader(const ExportOptions& options, const LoadedScene& loaded, const st
     const SceneLamps all = sceneLamps(scene, loaded.models);
     std::set<std::size_t> own;
     for (const Probe& probe : probes) {
+      if (!probe.hasLattice()) continue;
       for (const std::size_t lamp : probeLamps(all.lamps, probe)) own.insert(lamp);
     }
     for (const std::size_t lamp : own) lamps.push_back(all.lamps[lamp]);

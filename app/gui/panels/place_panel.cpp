@@ -72,7 +72,8 @@ bool alike(const Scene& a, const Scene& b) {
 }  // namespace
 
 PlacePanel::PlacePanel(Workspace& workspace)
-    : editor_(workspace.editor()),
+    : workspace_(workspace),
+      editor_(workspace.editor()),
       place_(new QPushButton(this)),
       apply_(new QPushButton(tr("Apply"), this)),
       discard_(new QPushButton(tr("Discard"), this)),
@@ -96,9 +97,6 @@ PlacePanel::PlacePanel(Workspace& workspace)
   rows->setContentsMargins(0, 0, 0, 0);
   errors_->setObjectName("placeErrors");
   errors_->setWordWrap(true);
-  errors_->setToolTip(
-      tr("Relative error of the light in pictures of the rooms, before and after; mirrors count four times. "
-         "0 is what the path tracer draws"));
   rows->addWidget(errors_);
   replace_->setObjectName("replaceProbes");
   replace_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -144,7 +142,8 @@ void PlacePanel::place() {
   if (models_.empty()) return;
   discard();
   given_ = editor_.scene();
-  work_.start([this, scene = given_, models = models_, paths = paths_](const BackgroundWork::Progress& progress) {
+  work_.start([this, scene = given_, models = models_, paths = paths_,
+               fit = workspace_.fit()](const BackgroundWork::Progress& progress) {
     constexpr double kPlacing = 0.3;  // of the time, as rooms and pictures usually share it
     BackgroundWork::Finish finish;
     std::optional<Placement> placement =
@@ -155,6 +154,7 @@ void PlacePanel::place() {
       LoadedScene loaded;
       loaded.scene = scene;
       loaded.models = models;
+      if (fit) loaded.fit = *fit;
       OffscreenSettings settings;
       settings.command = "boxprobe";
       settings.beside = true;
@@ -231,6 +231,11 @@ void PlacePanel::review(Result result) {
   for (const Proposed& each : proposed) allOwn = allOwn && each.own;
   replace_->setVisible(!given_.probes.empty() && !allOwn);
   replace_->setChecked(!given_.probes.empty() && !allOwn);
+  QStringList tried = {
+      tr("Relative error of the light in pictures of the rooms, before and after; mirrors count four "
+         "times. 0 is what the path tracer draws")};
+  for (std::size_t i = 0; told && i < pictures->sentences.size(); ++i) tried += phraseWords(pictures->sentences[i]);
+  errors_->setToolTip(tried.join("\n"));
   if (pictures != nullptr && pictures->eyes > 0 && pictures->before.error > 0.0) {
     errors_->setText(tr("%1. Error of pictures against the path tracer's: %2. Light: %3 of the truth's, before %4")
                          .arg(roomsText(placement.rooms.size()))

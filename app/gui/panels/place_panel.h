@@ -62,6 +62,7 @@ class PlacePanel : public QWidget {
   std::vector<Probe> ghosts() const;
   void refresh();
 
+  Workspace& workspace_;
   Editor& editor_;
   std::vector<std::shared_ptr<const Model>> models_;
   QPushButton *place_, *apply_, *discard_;

@@ -21,6 +21,7 @@
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/vector_row.h"
 #include "filters/core/geometry/probe_frame.h"
+#include "filters/math/cube/diffuse_lattice.h"
 #include "filters/math/technique/technique_table.h"
 
 namespace boxprobe {
@@ -249,12 +250,12 @@ void ProbePanel::buildDiffuse() {
   diffuse_ = addSection(this, tr("Diffuse light"));
   lattice_ = addProbeChoice(
       diffuse_, tr("Lattice"),
-      {{tr("Automatic"), 0, tr("1 m apart, 0.5 m where the box has an opening")},
+      {{tr("Automatic"), 0, tr("About 1 m apart, closer where light falls steeply")},
        {tr("Spaced by hand"), 1},
        {tr("None"), 2, tr("The whole map lights every place alike")}},
       fieldTip(probeField("lattice")), [this](int choice) {
         editor_.commitProbe(label(tr("lattice")), [choice](Probe& probe) {
-          const double spacing = probe.lattice.value_or(ProbeLattice()).spacing;
+          const double spacing = probe.lattice ? probe.lattice->spacing : metreOf(probe.box.size());
           probe.lattice = choice == 0 ? std::nullopt : std::optional<ProbeLattice>({choice == 1, spacing});
         });
       });

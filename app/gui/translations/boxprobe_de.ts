@@ -1771,8 +1771,8 @@
         <translation>Schattenstrahl</translation>
     </message>
     <message>
-        <source>nodes 1 m apart, 0.5 m where the box has an opening</source>
-        <translation>Knoten im Abstand von 1 m, von 0,5 m, wo die Box eine Öffnung hat</translation>
+        <source>nodes about 1 m apart, closer where light falls steeply</source>
+        <translation>Knoten im Abstand von etwa 1 m, enger, wo das Licht steil abfällt</translation>
     </message>
     <message>
         <source>Distance between the nodes, about: at least 2 and at most 16 of them stand along each axis.</source>
@@ -6481,8 +6481,8 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>1 m apart, 0.5 m where the box has an opening</source>
-        <translation>Knoten im Abstand von 1 m, von 0,5 m, wo die Box eine Öffnung hat</translation>
+        <source>About 1 m apart, closer where light falls steeply</source>
+        <translation>Etwa 1 m auseinander, enger, wo das Licht steil abfällt</translation>
     </message>
     <message>
         <source>Spaced by hand</source>

@@ -1771,8 +1771,8 @@
         <translation>阴影光线</translation>
     </message>
     <message>
-        <source>nodes 1 m apart, 0.5 m where the box has an opening</source>
-        <translation>节点间距 1 m，盒有开口时为 0.5 m</translation>
+        <source>nodes about 1 m apart, closer where light falls steeply</source>
+        <translation>节点间距约 1 m，光照变化陡处更密</translation>
     </message>
     <message>
         <source>Distance between the nodes, about: at least 2 and at most 16 of them stand along each axis.</source>
@@ -6481,8 +6481,8 @@ one lookup, on face %1</source>
         <translation>自动</translation>
     </message>
     <message>
-        <source>1 m apart, 0.5 m where the box has an opening</source>
-        <translation>节点间距 1 m，盒有开口时为 0.5 m</translation>
+        <source>About 1 m apart, closer where light falls steeply</source>
+        <translation>间距约 1 m，光照变化陡处更密</translation>
     </message>
     <message>
         <source>Spaced by hand</source>

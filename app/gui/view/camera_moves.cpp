@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kMostElevation = 89.0;  ///< degrees; at the pole the vertical has no direction on the screen
 constexpr double kBesideBox = 1.08;      ///< a little room about what is framed
+// Focal points and parallel views, scene units: nearer and farther than that a camera has no direction any more.
+constexpr double kNearest = 1e-9, kFarthest = 1e10;
 
 glm::dvec3 vec3Of(const double* v) {
   return {v[0], v[1], v[2]};
@@ -66,14 +68,17 @@ void zoomCamera(vtkCamera* camera, const Ray& ray, double distance, double facto
   if (camera->GetParallelProjection() != 0) {
     // The point keeps its pixel: the picture shrinks towards it.
     const glm::dvec3 beside = ray.origin - eyeOf(camera);
-    shiftCamera(camera, (beside - glm::dot(beside, forward) * forward) * (1.0 - 1.0 / factor));
-    camera->SetParallelScale(camera->GetParallelScale() / factor);
+    const double before = camera->GetParallelScale(), after = std::clamp(before / factor, kNearest, kFarthest);
+    shiftCamera(camera, (beside - glm::dot(beside, forward) * forward) * (1.0 - after / before));
+    camera->SetParallelScale(after);
     return;
   }
+  if (factor < 1.0 && distance > kFarthest) return;
   double step = distance * (1.0 - 1.0 / factor);
   if (std::abs(step) < smallestStep) step = std::copysign(smallestStep, factor - 1.0);
   const glm::dvec3 eye = eyeOf(camera) + step * ray.direction;
-  const double depth = std::max((distance - step) * glm::dot(ray.direction, forward), smallestStep);
+  const double least = std::max({smallestStep, kNearest, kNearest * glm::length(eye)});
+  const double depth = std::max((distance - step) * glm::dot(ray.direction, forward), least);
   placeCamera(camera, eye, eye + depth * forward);
 }
 

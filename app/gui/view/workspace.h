@@ -32,6 +32,7 @@ class ShownParts;
 class ViewCommands;
 class Viewport;
 struct Lesson;
+struct ModelFit;
 
 class Workspace : public QObject {
   Q_OBJECT
@@ -97,6 +98,9 @@ class Workspace : public QObject {
   /// fileDigest() of the scene's file as it was read or saved; empty: there was none, or it is not known.
   const std::string& digestAsRead() const { return digestAsRead_; }
   void setDigestAsRead(const std::string& digest) { digestAsRead_ = digest; }
+  /// How the bare model on show was fitted; null: a scene is on show.
+  const std::shared_ptr<const ModelFit>& fit() const { return fit_; }
+  void setFit(std::shared_ptr<const ModelFit> fit) { fit_ = std::move(fit); }
 
   /// What a part says is for the line under the picture.
   template <typename Part>
@@ -160,6 +164,7 @@ class Workspace : public QObject {
   std::string shownPath_;
   const Lesson* lesson_ = nullptr;
   std::string digestAsRead_;
+  std::shared_ptr<const ModelFit> fit_;
 };
 
 }  // namespace boxprobe

@@ -71,7 +71,7 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Tables",
                       "The nodes at which diffuse light is known; with `false` there are none, and the whole map "
                       "lights every place alike."),
-    QT_TRANSLATE_NOOP("Tables", "nodes 1 m apart, 0.5 m where the box has an opening"),
+    QT_TRANSLATE_NOOP("Tables", "nodes about 1 m apart, closer where light falls steeply"),
     QT_TRANSLATE_NOOP("Tables", "Least corner."),
     QT_TRANSLATE_NOOP("Tables", "Greatest corner; no component less than that of `min`."),
     QT_TRANSLATE_NOOP("Tables", "Distances inside the -x, -y and -z faces."),

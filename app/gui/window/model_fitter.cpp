@@ -152,6 +152,7 @@ void ModelFitter::setBorrowed(bool borrowed) {
 
 void ModelFitter::update() {
   const bool shown = fit_ && !borrowed_;
+  workspace_.setFit(shown ? std::make_shared<const ModelFit>(*fit_) : nullptr);
   if (!shown) bar_->hide();
   menu_->setEnabled(shown);
   button_->setVisible(shown);

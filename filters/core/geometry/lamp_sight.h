@@ -66,7 +66,7 @@ struct SightTask {
   };
   Box box;
   glm::dvec3 rotationDegrees{0.0};
-  ProbeReach reach;  ///< of the nodes, where the box's sides have openings
+  ProbeReach reach;  ///< of the nodes, where there are surfaces (probe_reach.h)
   /// Of a capture: the box is not given, but what is seen from here (boxSeenFrom).
   std::optional<glm::dvec3> from;
   std::vector<Lamp> lamps;
@@ -98,7 +98,7 @@ struct ProbeSight {
 /// The sight's lattice in the frame of a probe as it is drawn now.
 shading::LatticeShape sightShape(const ProbeSight& sight, const ProbeGeometry& probe);
 
-/// The task's box with what it reaches through openings. About the same middle where it reaches nothing.
+/// The task's box with what of its reach has surfaces. About the same middle where it reaches nothing.
 Box openBox(const SightLines& lines, const SightTask& task);
 
 /// Sources traced for a probe at most: the brightest where it is.

@@ -10,6 +10,7 @@
 #include "filters/core/base/one_line.h"
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/probe_reach.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 #include "filters/core/scene/technique_parameters.h"
@@ -58,17 +59,23 @@ void budgetRemarks(Remarks& remarks, const Probe& probe) {
   }
 }
 
-void latticeRemarks(Remarks& remarks, const Probe& probe) {
+void latticeRemarks(Remarks& remarks, const Scene& scene, const Probe& probe) {
   if (!probe.lattice || !probe.lattice->used) return;
-  const glm::dvec3 steps = probe.box.size() / probe.lattice->spacing;
+  if (scene.lamps == LampForm::InMap) {
+    return remark(remarks, {"probes", probe.name, "lattice"},
+                  "is not used where lamps are in-map; choose \"lamps\": \"shapes\".");
+  }
+  const Box& influence = probe.influenceBox();
+  const ProbeReach reach = influenceReach(probe.box.min, probe.box.max, influence.min, influence.max);
+  const glm::dvec3 steps = (probe.box.size() + reach.low + reach.high) / probe.lattice->spacing;
   const double most = std::max({steps.x, steps.y, steps.z});
   if (std::lround(std::min(most, 1.0e9)) < DiffuseLattice::kMostNodes) return;
   remark(remarks, {"probes", probe.name, "lattice", "spacing"},
          "is " + numberText(probe.lattice->spacing) + ": along an axis stand at most " +
-             std::to_string(DiffuseLattice::kMostNodes) + " nodes, so they are farther apart.");
+             std::to_string(DiffuseLattice::kMostNodes) + " nodes, so they may be farther apart.");
 }
 
-void probeRemarks(Remarks& remarks, const Probe& probe) {
+void probeRemarks(Remarks& remarks, const Scene& scene, const Probe& probe) {
   const auto say = [&](const char* key, const std::string& sentence) {
     remark(remarks, {"probes", probe.name, key}, sentence);
   };
@@ -78,7 +85,7 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   if (probe.decode && probe.encoding == ImageEncoding::Linear) {
     say("decode", "is not used by encoding linear; name the picture's: rgbm, dldr or rgbmLinear.");
   }
-  latticeRemarks(remarks, probe);
+  latticeRemarks(remarks, scene, probe);
   parameterRemarks(remarks, probe);
   budgetRemarks(remarks, probe);
 }
@@ -101,7 +108,7 @@ void lightRemarks(Remarks& remarks, const Scene& scene, std::size_t index) {
 
 std::vector<std::string> featuresNotUsed(const Scene& scene) {
   Remarks remarks;
-  for (const Probe& probe : scene.probes) probeRemarks(remarks, probe);
+  for (const Probe& probe : scene.probes) probeRemarks(remarks, scene, probe);
   const bool anyMoves =
       std::any_of(scene.objects.begin(), scene.objects.end(), [](const auto& object) { return object.second.dynamic; });
   for (const Probe& probe : scene.probes) {

@@ -146,7 +146,7 @@ const std::vector<FieldRow<Probe>>& probeFields() {
           "The nodes at which diffuse light is known; with `false` there are none, and the whole map "
           "lights every place alike.")
           .writtenAs("object, below, or `false`")
-          .leftOut("nodes 1 m apart, 0.5 m where the box has an opening")
+          .leftOut("nodes about 1 m apart, closer where light falls steeply")
           .changing(shape),
   };
   return rows;
@@ -184,7 +184,7 @@ const std::vector<FieldRow<ProbeLattice>>& latticeFields() {
           "axis.")
           .above(0)
           .always()
-          .usually(0.1, 10),
+          .usually(0.01, 1e6),
   };
   return rows;
 }

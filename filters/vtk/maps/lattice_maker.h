@@ -17,7 +17,7 @@ namespace boxprobe {
 /// The inputs of lattices besides the maps.
 struct LatticeSource {
   glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame
-  ProbeReach reach;                      ///< where what is traced leaves an opening in that side
+  ProbeReach reach;                      ///< of the nodes, where what is traced has surfaces (probe_reach.h)
   glm::mat3 mapFromProbe{1.0f}, worldFromProbe{1.0f};
   int projection = 0;              ///< index in the projection table
   float spacing = 0.0f;            ///< of the nodes, scene units; 0: as the box and its openings ask for

@@ -210,7 +210,7 @@ std::vector<bool> SceneContent::lightsAlone() const {
   for (std::size_t i = 0; i < all.size(); ++i) alone[i] = all[i].light.has_value();
   for (const Probe& probe : scene.probes) {
     if (!probesDrawn || std::find(alone.begin(), alone.end(), true) == alone.end()) break;
-    if (probe.mode == ProbeMode::Custom) continue;  // draws no lamps
+    if (probe.mode == ProbeMode::Custom || !probe.hasLattice()) continue;  // its diffuse light is its map's
     for (const std::size_t lamp : probeLamps(all, probe)) alone[lamp] = false;
   }
   return alone;
