@@ -2,6 +2,7 @@
 #include "app/gui/panels/probe_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QVBoxLayout>

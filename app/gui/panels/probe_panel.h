@@ -10,6 +10,7 @@
 #include "app/gui/widgets/value_field.h"
 
 class QCheckBox;
+class QComboBox;
 class QFormLayout;
 class QLabel;
 

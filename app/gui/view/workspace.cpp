@@ -149,7 +149,7 @@ void Workspace::requestPicture() {
   scheduler().requestRender();
 }
 
-void Workspace::showScene(LoadedScene loaded) {
+void Workspace::showScene(const LoadedScene& loaded) {
   emit opening();
   showModels(loaded.models, ownPathOf(loaded.path, loaded.scene));
   document_.open(loaded.scene, loaded.path, loaded.unsaved);

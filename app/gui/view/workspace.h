@@ -32,7 +32,6 @@ class ShownParts;
 class ViewCommands;
 class Viewport;
 struct Lesson;
-struct ModelFit;
 
 class Workspace : public QObject {
   Q_OBJECT
@@ -75,7 +74,7 @@ class Workspace : public QObject {
   void setBeforePicture(std::function<void()> place) { beforePicture_ = std::move(place); }
 
   /// A scene that was read becomes the one on show, seen from its first camera.
-  void showScene(LoadedScene loaded);
+  void showScene(const LoadedScene& loaded);
   /// Models of another scene, of which the document is told next. `path`: what that goes by (ownPathOf()); empty for a
   /// lesson's.
   void showModels(const Models& models, const std::string& path);

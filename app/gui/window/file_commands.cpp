@@ -10,7 +10,6 @@
 #include <QUrl>
 #include <algorithm>
 #include <exception>
-#include <utility>
 
 #include "app/gui/edit/work_beside.h"
 #include "app/gui/view/motion_preview.h"
@@ -81,7 +80,7 @@ void FileCommands::offerRecent() {
   menu->clear();
   const QStringList paths = recentFiles();
   for (int i = 0; i < paths.size(); ++i) {
-    const QString path = paths[i];
+    const QString& path = paths[i];
     QAction* action = menu->addAction(QString("&%1  %2").arg(i + 1).arg(QString(path).replace('&', "&&")));
     connect(
         action, &QAction::triggered, this, [this, path] { openPath(path); }, Qt::QueuedConnection);
@@ -192,7 +191,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
     const std::string digest = loaded.fileDigest;
     const QString decided = loaded.fit ? phraseWords(loaded.fit->decided) : QString();
-    workspace_.showScene(std::move(loaded));
+    workspace_.showScene(loaded);
     workspace_.viewport().setFocus();  // keys are for the picture, not for the first field there is
     assignments_ = assignments;
     remember(path, digest);
@@ -280,9 +279,9 @@ void FileCommands::reload() {
     return;
   }
   try {
-    LoadedScene loaded = load(QString::fromStdString(path), assignments_);
+    const LoadedScene loaded = load(QString::fromStdString(path), assignments_);
     workspace_.setDigestAsRead(loaded.fileDigest);
-    showAgain(std::move(loaded));
+    showAgain(loaded);
     emit message(tr("Read %1 again").arg(QString::fromStdString(path)));
     return watchFiles();
   } catch (const LoadCancelled&) {
@@ -300,11 +299,11 @@ void FileCommands::remember(const QString& path, const std::string& digest) {
   emit workspace_.filed();
 }
 
-void FileCommands::showAgain(LoadedScene loaded) {
+void FileCommands::showAgain(const LoadedScene& loaded) {
   const Camera view = workspace_.renderer().currentCamera();
   const Probe* selected = editor_.probe();
   const std::string name = selected != nullptr ? selected->name : std::string();
-  workspace_.showScene(std::move(loaded));
+  workspace_.showScene(loaded);
   if (const auto index = findProbe(document_.scene(), name)) document_.selectProbe(index);
   workspace_.renderer().applyCamera(view);
   emit workspace_.viewport().cameraMoved();
@@ -394,7 +393,7 @@ bool FileCommands::recover(const Autosave::Kept& kept) {
     if (!confirmLeaving()) return false;
     loaded.path = kept.original.toStdString();
     loaded.unsaved = true;
-    workspace_.showScene(std::move(loaded));
+    workspace_.showScene(loaded);
     assignments_.clear();
     workspace_.setDigestAsRead(kept.originalDigest);
     watchFiles();
@@ -437,7 +436,7 @@ void FileCommands::exportImage() {
 QString FileCommands::droppedSky(const QMimeData* data) {
   if (!data->hasUrls()) return {};
   for (const QUrl& url : data->urls()) {
-    const QString path = url.toLocalFile();
+    QString path = url.toLocalFile();
     if (path.endsWith(".hdr", Qt::CaseInsensitive) || path.endsWith(".exr", Qt::CaseInsensitive)) return path;
   }
   return {};

@@ -79,7 +79,7 @@ class FileCommands : public QObject {
   /// Of the first model.
   void offerVariants(const LoadedScene& loaded);
   /// The same scene, newly read: the view stays.
-  void showAgain(LoadedScene loaded);
+  void showAgain(const LoadedScene& loaded);
   void watchFiles();
   void changedOnDisk();
   bool openWith(const QString& path, const std::vector<std::string>& assignments);

@@ -34,7 +34,7 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   /// Shows a scene that was read, from its first camera.
-  void showScene(LoadedScene loaded) { workspace_.showScene(std::move(loaded)); }
+  void showScene(const LoadedScene& loaded) { workspace_.showScene(loaded); }
 
   /// The list of lessons beside the picture; the scene on show stays.
   void showLessons();

@@ -115,7 +115,7 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   });
   if (!scenePath.empty()) {
     const std::string digest = loaded.fileDigest;
-    window.showScene(std::move(loaded));
+    window.showScene(loaded);
     window.viewport().setFocus();
     window.files().remember(QString::fromStdString(scenePath), digest);
   }
