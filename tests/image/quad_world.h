@@ -82,7 +82,8 @@ class QuadWorld {
     camera.verticalFovDegrees = 2.0;
     renderer->applyCamera(camera);
     const ImageRgbaF image = renderer->renderLinear(9, 9, 1);
-    const float* middle = &image.pixels[(4 * 9 + 4) * 4];
+    constexpr std::size_t kMiddle = (4 * 9 + 4) * 4;
+    const float* middle = &image.pixels[kMiddle];
     return {middle[0], middle[1], middle[2]};
   }
   std::uint64_t faces() const { return renderer->counters().facesCaptured; }

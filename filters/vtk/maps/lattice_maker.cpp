@@ -103,7 +103,7 @@ void LatticeMaker::take(int milliseconds) {
 std::shared_ptr<const DiffuseLattice> LatticeMaker::of(const CubeTexture& radiance, const CubeTexture& distance,
                                                        const LatticeSource& source, LatticeHaste haste) {
   if (haste == LatticeHaste::Now && pending() && besideSource_ == source) takeNow();
-  const Lattice before = made_.empty() ? nullptr : made_.front().lattice;
+  Lattice before = made_.empty() ? nullptr : made_.front().lattice;
   if (haste == LatticeHaste::AsItIs) return before;
   const auto known = std::find_if(made_.begin(), made_.end(), [&](const Made& made) { return made.source == source; });
   if (known != made_.end()) {

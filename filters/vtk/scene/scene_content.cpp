@@ -122,7 +122,7 @@ void SceneContent::showObjects(vtkCulledRenderer* renderer) {
     boxes.push_back(worldBounds(objects[i]));
   }
   culledBounds = bounds();
-  renderer->SetCulledProps(std::move(props), std::move(boxes));
+  renderer->SetCulledProps(std::move(props), boxes);
 }
 
 std::vector<vtkProp*> SceneContent::shownProps(vtkCulledRenderer* renderer) const {
