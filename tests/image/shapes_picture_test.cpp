@@ -255,7 +255,7 @@ TEST(ShapesPicture, ALightAtALampIsDrawnWhereThereAreNoNodes) {
   Light light;
   light.type = LightType::Point;
   light.position = {-0.6, 2.6, 0.4};
-  light.intensity = 40.0f;
+  light.intensity = 7.0f;
   QuadWorld dark(lit, {room()});
   dark.edit([](Scene& s) { s.probes[0].lattice = ProbeLattice{false}; });
   lit.lights = {light};
