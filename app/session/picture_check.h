@@ -56,10 +56,10 @@ struct PictureCheckSettings {
 };
 
 /// Tries `placement`, the same with three bounces and with one, without the probes of parts of rooms, one box around
-/// all rooms and one around all of the model, and the scene's own probes with three bounces, of a bare model with one,
-/// too; leaves in `placement` what measured best. If that is not better by 5 % than what the scene has, it leaves the
-/// scene's own probes as those kept. Captures are small ones, for all alike. Nothing if `progress` stopped it; without
-/// eyes or light no check, and a sentence that says so.
+/// all rooms and one around all of the model, and the scene's own probes with three bounces, where a bare model's is as
+/// it opened also with one; leaves in `placement` what measured best. If that is not better by 5 % than what the scene
+/// has, it leaves the scene's own probes as those kept. Captures are small ones, for all alike. Nothing if `progress`
+/// stopped it; without eyes or light no check, and a sentence that says so.
 std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
                                           const std::function<bool(double)>& progress,
                                           const PictureCheckSettings& settings = {});

@@ -222,11 +222,16 @@ TEST(ShapesPicture, NodesStandAsTheSceneHasThem) {
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / t[c], 1.0, 0.03) << spacing << ", " << point.x;
     }
   }
-  world.edit([](Scene& s) { s.probes[0].lattice = ProbeLattice{false}; });
+  // Without the floor, which lamps as shapes light in a first capture, both capture the same.
+  before.editAndFinish([](Scene& s) { s.probes[0].hides = {"floor"}; });
+  world.editAndFinish([](Scene& s) {
+    s.probes[0].hides = {"floor"};
+    s.probes[0].lattice = ProbeLattice{false};
+  });
   EXPECT_EQ(nodes(), glm::ivec3(0));
   for (const dvec3& point : kPoints) {
     const dvec3 inMap = seen(before, point), drawn = seen(world, point);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / inMap[c], 1.0, 0.01) << point.x << " " << point.z;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / inMap[c], 1.0, 1.0e-4) << point.x << " " << point.z;
   }
   world.edit([](Scene& s) { s.probes[0].lattice.reset(); });
   EXPECT_EQ(nodes(), glm::ivec3(5, 4, 5));

@@ -178,7 +178,7 @@ TEST(Remarks, EachFeatureThatIsNotUsedIsNamedWithItsKey) {
   EXPECT_THAT(featuresNotUsed(scene),
               ElementsAre(HasSubstr("probes.room.box: is flat"),
                           HasSubstr("probes.room.decode: is not used by encoding linear"),
-                          HasSubstr("probes.room.lattice.spacing: is 0.05: along an axis stand at most 16 nodes"),
+                          HasSubstr("probes.room.lattice.spacing: is 0.05: along an axis there are at most 16 nodes"),
                           HasSubstr("probes.room.parameters.power: is not used by technique box+none")));
 }
 

@@ -29,6 +29,11 @@ namespace boxprobe {
 
 namespace {
 
+/// As its choice has it: automatic, spaced by hand, none.
+int latticeChoice(const Probe& probe) {
+  return !probe.lattice ? 0 : probe.lattice->used ? 1 : 2;
+}
+
 const FieldRow<Box>& boxField(const char* key) {
   return fieldNamed(boxFields(), key);
 }
@@ -317,8 +322,8 @@ void ProbePanel::update() {
   occlusionMultiplier_->show(occlusion.multiplier);
   occlusionPower_->show(occlusion.power);
   occlusionStrength_->show(occlusion.strength);
-  const bool spaced = probe->lattice && probe->lattice->used;
-  showChoice(lattice_, !probe->lattice ? 0 : spaced ? 1 : 2);
+  const bool spaced = latticeChoice(*probe) == 1;
+  showChoice(lattice_, latticeChoice(*probe));
   latticeSpacing_->show(probe->lattice.value_or(ProbeLattice()).spacing);
   latticeSpacing_->setVisible(spaced);
   diffuse_->labelForField(latticeSpacing_)->setVisible(spaced);
@@ -368,7 +373,7 @@ void ProbePanel::markDifferences() {
   mark(occlusionMultiplier_, [&](const Probe& probe) { return occlusionOf(probe).multiplier; });
   mark(occlusionPower_, [&](const Probe& probe) { return occlusionOf(probe).power; });
   mark(occlusionStrength_, [&](const Probe& probe) { return occlusionOf(probe).strength; });
-  mark(lattice_, [](const Probe& probe) { return probe.lattice ? 1 + int{probe.lattice->used} : 0; });
+  mark(lattice_, latticeChoice);
   mark(latticeSpacing_, [](const Probe& probe) { return probe.lattice.value_or(ProbeLattice()).spacing; });
 }
 

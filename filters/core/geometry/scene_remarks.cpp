@@ -71,7 +71,7 @@ void latticeRemarks(Remarks& remarks, const Scene& scene, const Probe& probe) {
   const double most = std::max({steps.x, steps.y, steps.z});
   if (std::lround(std::min(most, 1.0e9)) < DiffuseLattice::kMostNodes) return;
   remark(remarks, {"probes", probe.name, "lattice", "spacing"},
-         "is " + numberText(probe.lattice->spacing) + ": along an axis stand at most " +
+         "is " + numberText(probe.lattice->spacing) + ": along an axis there are at most " +
              std::to_string(DiffuseLattice::kMostNodes) + " nodes, so they may be farther apart.");
 }
 

@@ -23,14 +23,14 @@ struct DrawnProbe {
   std::shared_ptr<const ProbeMaps> maps;
   /// Errors from which `auto` chooses; null: the measured table.
   std::shared_ptr<const TechniqueErrors> errors;
-  bool open = false;                  ///< the sky shows where the probe saw nothing, and such places exist
-  ShCoefficients openSky{};           ///< diffuse light of the sky through openings, to be added to that of the maps
-  std::uint32_t shadowLights = 0;     ///< one bit per light that casts shadows and is outside its box
-  bool seesSky = true;                ///< where its capture meets nothing, there is the sky
-  bool imported = false;              ///< from a picture, which may have no coverage
-  bool shapes = false;                ///< diffuse light comes from lamps as shapes and a lattice
-  std::optional<ProbeLattice> nodes;  ///< of that lattice, as the scene has them; without any it is the map's light
-  std::vector<std::size_t> lamps;     ///< indices of scene lamps that are drawn as shapes
+  bool open = false;                    ///< the sky shows where the probe saw nothing, and such places exist
+  ShCoefficients openSky{};             ///< diffuse light of the sky through openings, to be added to that of the maps
+  std::uint32_t shadowLights = 0;       ///< one bit per light that casts shadows and is outside its box
+  bool seesSky = true;                  ///< where its capture meets nothing, there is the sky
+  bool imported = false;                ///< from a picture, which may have no coverage
+  bool shapes = false;                  ///< diffuse light comes from lamps as shapes and a lattice
+  std::optional<ProbeLattice> lattice;  ///< as the scene has it; where it is not used, diffuse light is the map's
+  std::vector<std::size_t> lamps;       ///< indices of scene lamps that are drawn as shapes
   std::shared_ptr<const ProbeSight> sight;  ///< visibility of those and of light sources; null: all visible everywhere
   PrefilterSettings prefilter;              ///< of its maps
   bool realtime = false;                    ///< its maps are recaptured continuously

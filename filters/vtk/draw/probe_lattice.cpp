@@ -19,7 +19,7 @@ LatticeSource latticeSource(const DrawState& state, const SceneLamps& lamps, con
   for (const std::size_t i : probe.lamps) {
     source.lamps.push_back(lampPolygon(lamps.lamps[i], g.originWorld, worldFromMap));
   }
-  if (probe.nodes) source.spacing = static_cast<float>(probe.nodes->spacing);
+  if (probe.lattice) source.spacing = static_cast<float>(probe.lattice->spacing);
   source.fewRays = probe.realtime;
   if (probe.open && state.resources.sky && state.resources.sky->openings) {
     source.sky = std::shared_ptr<const CubeMap>(state.resources.sky, &state.resources.sky->openings->reduced);
@@ -48,7 +48,7 @@ LatticeHaste haste(const DrawState& state) {
 std::shared_ptr<const DiffuseLattice> probeLattice(const DrawState& state, const DrawnProbe& probe) {
   const SceneLamps* lamps = state.resources.lamps.get();
   const ProbeMaps* maps = probe.maps.get();
-  if (!probe.shapes || (probe.nodes && !probe.nodes->used) || lamps == nullptr || maps == nullptr ||
+  if (!probe.shapes || (probe.lattice && !probe.lattice->used) || lamps == nullptr || maps == nullptr ||
       maps->forTheTimeBeing)
     return nullptr;
   auto lattice = maps->lattice.of(maps->radiance, maps->distance, latticeSource(state, *lamps, probe), haste(state));

@@ -17,7 +17,7 @@ namespace boxprobe {
 namespace {
 
 // Increase them whenever captures or filters give other texels for the same inputs, so that older files are made again.
-// A sky is not lit: what only probes' captures show needs none of its own, and studio.levels stays.
+// A sky is not lit: where only probes' captures change, its version stays, and with it studio.levels.
 constexpr int kBakeVersion = 6, kSkyVersion = 5;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {

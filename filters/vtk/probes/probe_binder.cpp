@@ -205,7 +205,7 @@ void ProbeBinder::updateLamps() {
     drawn.shapes = content.lamps != nullptr;
     drawn.prefilter = prefilterSettings(probe);
     drawn.realtime = probe.mode == ProbeMode::Realtime;
-    drawn.nodes = probe.lattice;
+    drawn.lattice = probe.lattice;
     if (!drawn.shapes || !probe.hasLattice()) drawn.latticeBefore.reset();
     static const SceneLamps kNotKnown;
     const bool known = probe.mode != ProbeMode::Custom;
