@@ -460,8 +460,8 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
   });
   std::vector<char> known(count, 1);
   for (std::size_t node = 0; node < count; ++node) known[node] = nodes[node].known ? 1 : 0;
-  // Where hardly a node is known, fronts and backs mean nothing in this scene.
-  const bool fills = 4 * static_cast<std::size_t>(std::count(known.begin(), known.end(), 1)) >= count;
+  // The capture origin stands in the open. Where it sees backs, they mean nothing in this scene.
+  const bool fills = tracer.trace(glm::vec3(0.0f)).known;
   cutWays(lattice, fills ? known : std::vector<char>(count, 1), in);
   // What far ends receive is the light of the nodes around them, which see far ends themselves: again, until that makes
   // no difference. Surfaces scatter less than they receive, so that it ends.
