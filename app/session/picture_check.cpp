@@ -6,12 +6,14 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <utility>
 
 #include "app/session/fit_scene.h"
 #include "app/session/shared_work.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/fit/fit_model.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/reference/path/reference_path.h"
@@ -33,7 +35,8 @@ constexpr double kWhite = 5.0;      // over the mean: lamps seen in mirrors woul
 constexpr double kNoisy = 0.5;      // of value and a tenth of white: what the truth does not know is left out
 constexpr double kCertain = 0.1;    // of the light: with less that is known the truth tells nothing
 constexpr double kBetter = 0.99;    // of the error: one trial over another
-constexpr double kSurely = 0.95;    // over the scene's own probes: what other eyes would see, too
+constexpr double kSurely = 0.95;    // over the scene's own probes, whatever single eyes say
+constexpr double kAlike = 2.0;      // or the gain over its standard error, from eye to eye: what others would see, too
 constexpr double kNoWorse = 1.005;  // without a probe: it is left out
 
 std::string errorText(double error) {
@@ -62,6 +65,10 @@ std::vector<Probe> measured(std::vector<Probe> probes) {
 /// One, or at least so many.
 int bouncesTried(int of, int bounces) {
   return bounces == 1 ? 1 : std::max(of, bounces);
+}
+
+Phrase bouncesText(int bounces) {
+  return bounces == kAllBounces ? Phrase::tr("all") : Phrase::plain(std::to_string(bounces));
 }
 
 std::vector<Probe> withBounces(std::vector<Probe> probes, int bounces) {
@@ -222,12 +229,13 @@ class Checker {
     if (!report(from)) return std::nullopt;
     Scene scene = loaded_.scene;
     scene.probes = measured(probes);
-    double squares = 0.0, noise = 0.0, truths = 0.0, glossy = 0.0, glossyTruths = 0.0, sum = 0.0, truthSum = 0.0;
-    roomSquares_.assign(placement_.rooms.size(), 0.0);
+    double noise = 0.0, truths = 0.0, glossy = 0.0, glossyTruths = 0.0, sum = 0.0, truthSum = 0.0;
+    squares_.assign(eyes_.size(), 0.0);
     roomNoise_.assign(placement_.rooms.size(), 0.0);
     roomTruths_.assign(placement_.rooms.size(), 0.0);
     const std::string trial = settings_.shared != nullptr ? ContentHash().add(sceneText(scene, "/")).text() : "";
-    for (const Eye& eye : eyes_) {
+    for (std::size_t k = 0; k < eyes_.size(); ++k) {
+      const Eye& eye = eyes_[k];
       const auto seen = pictureOf(eye, scene, trial, from);
       if (!seen) return std::nullopt;
       const ImageRgbaF& picture = *seen;
@@ -237,8 +245,7 @@ class Checker {
         for (std::size_t c = 0; c < 3; ++c) {
           const double p = clamped(picture, i, c), t = clamped(eye.truth.color, i, c);
           const double e = eye.truth.standardError.pixels[4 * i + c];
-          squares += weight * (p - t) * (p - t);
-          roomSquares_[eye.room] += weight * (p - t) * (p - t);
+          squares_[k] += weight * (p - t) * (p - t);
           noise += weight * e * e;
           truths += weight * t * t;
           roomNoise_[eye.room] += weight * e * e;
@@ -252,6 +259,7 @@ class Checker {
       }
     }
     PictureErrors errors;
+    const double squares = std::accumulate(squares_.begin(), squares_.end(), 0.0);
     if (truths > 0.0) errors.error = std::sqrt(std::max(squares - noise, 0.0) / truths);
     if (glossyTruths > 0.0) errors.glossy = std::sqrt(std::max(glossy, 0.0) / glossyTruths);
     if (truthSum > 0.0) errors.light = sum / truthSum;
@@ -280,6 +288,20 @@ class Checker {
            own.front().bounces == (fit->kind == ModelKind::Interior ? kRoomBounces : 1);
   }
 
+  /// What measured best, over the scene's own probes.
+  bool surelyBetter(const PictureErrors& best, const PictureErrors& own) const {
+    if (best.error < kSurely * own.error) return true;
+    if (!isBetter(best, own) || eyes_.size() < 2) return false;
+    const double count = static_cast<double>(eyes_.size());
+    double gain = 0.0, spread = 0.0;
+    for (std::size_t i = 0; i < eyes_.size(); ++i) gain += (ownSquares_[i] - bestSquares_[i]) / count;
+    for (std::size_t i = 0; i < eyes_.size(); ++i) {
+      const double off = ownSquares_[i] - bestSquares_[i] - gain;
+      spread += off * off / (count * (count - 1.0));
+    }
+    return gain > kAlike * std::sqrt(spread);
+  }
+
   static bool isBetter(const PictureErrors& errors, const PictureErrors& best) {
     return errors.error < kBetter * best.error;
   }
@@ -287,20 +309,20 @@ class Checker {
   /// What was measured last is the best so far.
   void take(const PictureErrors& errors, PictureErrors& best) {
     best = errors;
-    bestSquares_ = roomSquares_;
+    bestSquares_ = squares_;
   }
 
   bool choose() {
     const std::vector<Probe>& own = loaded_.scene.probes;
     const auto before = errorsWith(own);
     if (!before) return false;
-    ownSquares_ = bestSquares_ = roomSquares_;
+    ownSquares_ = bestSquares_ = squares_;
     check_.before = check_.after = *before;
     std::optional<PictureErrors> best;
     enum class Choice { Placed, OneBox, OwnWithBounces } choice = Choice::Placed;
     if (!placement_.probes.empty()) {
       best = errorsWith(placement_.all());
-      bestSquares_ = roomSquares_;
+      bestSquares_ = squares_;
       if (!best || !tryBounces(*best) || !leaveOut(*best)) return false;
     }
     const bool both = placement_.indoorsAndOutdoors();
@@ -328,7 +350,7 @@ class Checker {
       if (errors->error < kBetter * best->error) {
         best = *errors, choice = Choice::OneBox;
         chosenBox = i;
-        bestSquares_ = roomSquares_;
+        bestSquares_ = squares_;
       }
     }
     std::vector<Probe> bounced = own;
@@ -342,13 +364,13 @@ class Checker {
         const auto errors = errorsWith(others);
         if (!errors) return false;
         check_.sentences.push_back(Phrase::tr("the scene's own probes, bounces of light: %1; error %2")
-                                       .arg(std::to_string(bounces))
+                                       .arg(bouncesText(bounces))
                                        .arg(errorText(errors->error)));
         if (!best || errors->error < kBetter * best->error) {
           best = *errors, choice = Choice::OwnWithBounces;
           bounced = others;
           bouncesOfOwn = bounces;
-          bestSquares_ = roomSquares_;
+          bestSquares_ = squares_;
         }
       }
     }
@@ -369,12 +391,12 @@ class Checker {
       }
     }
     if (best && !moveOrigins(*best)) return false;
-    check_.better = best && best->error < kSurely * before->error;
+    check_.better = best && surelyBetter(*best, *before);
     if (!check_.better) {
       const Phrase none = own.empty()
-                              ? Phrase::tr("no probe made the pictures better by %1 %: none is proposed")
-                              : Phrase::tr("nothing measured better by %1 % than the scene's own probes, which stay");
-      check_.sentences.push_back(none.arg(std::to_string(std::lround(100.0 * (1.0 - kSurely)))));
+                              ? Phrase::tr("no probe surely made the pictures better: none is proposed")
+                              : Phrase::tr("nothing measured surely better than the scene's own probes, which stay");
+      check_.sentences.push_back(none);
       placement_.probes.clear();
       placement_.kept = own;
       return true;
@@ -382,7 +404,7 @@ class Checker {
     check_.after = *best;
     if (choice == Choice::OwnWithBounces && placement_.probes.empty()) {
       check_.sentences.push_back(
-          Phrase::tr("the scene's own probes stay, bounces of light: %1").arg(std::to_string(bouncesOfOwn)));
+          Phrase::tr("the scene's own probes stay, bounces of light: %1").arg(bouncesText(bouncesOfOwn)));
     }
     return true;
   }
@@ -390,7 +412,13 @@ class Checker {
   /// Of the pictures measured last; the truth and its noise are the same for all.
   double roomError(std::size_t room, const std::vector<double>& squares) const {
     if (!(roomTruths_[room] > 0.0)) return 0.0;
-    return std::sqrt(std::max(squares[room] - roomNoise_[room], 0.0) / roomTruths_[room]);
+    return std::sqrt(std::max(ofRoom(room, squares) - roomNoise_[room], 0.0) / roomTruths_[room]);
+  }
+
+  double ofRoom(std::size_t room, const std::vector<double>& squares) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < eyes_.size(); ++i) sum += eyes_[i].room == room ? squares[i] : 0.0;
+    return sum;
   }
 
   void tellRooms() {
@@ -488,7 +516,8 @@ class Checker {
   /// The same for many rooms at once: each takes the origin that is best for the eyes in it.
   bool moveMany(PictureErrors& best) {
     const std::vector<PlacedProbe> still = placement_.probes;
-    std::vector<double> least = bestSquares_;
+    std::vector<double> least;
+    for (std::size_t room = 0; room < placement_.rooms.size(); ++room) least.push_back(ofRoom(room, bestSquares_));
     std::vector<glm::dvec3> chosen;
     chosen.reserve(still.size());
     for (const PlacedProbe& placed : still) chosen.push_back(placed.probe.origin);
@@ -500,9 +529,10 @@ class Checker {
       if (!errorsWith(placement_.all())) return false;
       for (std::size_t i = 0; i < still.size(); ++i) {
         const std::size_t room = still[i].room;
-        if (roomSquares_[room] >= kBetter * kBetter * least[room]) continue;
+        const double squares = ofRoom(room, squares_);
+        if (squares >= kBetter * kBetter * least[room]) continue;
         chosen[i] = placement_.probes[i].probe.origin;
-        least[room] = roomSquares_[room];
+        least[room] = squares;
       }
     }
     std::size_t moved = 0;
@@ -546,7 +576,7 @@ class Checker {
       const bool better = isBetter(*errors, best);
       check_.sentences.push_back((better ? Phrase::tr("bounces of light in the captures: %1; error %2 -> %3")
                                          : Phrase::tr("bounces of light in the captures: %1; error %2 -> %3, left out"))
-                                     .arg(std::to_string(bounces))
+                                     .arg(bouncesText(bounces))
                                      .arg(errorText(best.error))
                                      .arg(errorText(errors->error)));
       if (better) {
@@ -636,7 +666,7 @@ class Checker {
   double white_ = 0.0;
   bool surfaces_ = false;  ///< the eyes see some that count
   double trials_ = 0.0;
-  std::vector<double> roomSquares_, bestSquares_, ownSquares_;  ///< by room: measured last; the best; the scene's own
+  std::vector<double> squares_, bestSquares_, ownSquares_;  ///< by eye: measured last; the best; the scene's own
   std::vector<double> roomNoise_, roomTruths_;
   PictureCheck check_;
 };

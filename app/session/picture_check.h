@@ -39,7 +39,7 @@ struct EyePictures {
 struct PictureCheck {
   std::size_t eyes = 0;
   PictureErrors before, after;                     ///< with the scene's own probes; with what is proposed
-  bool better = false;                             ///< by 5 %; false: the scene's own probes stay
+  bool better = false;                             ///< surely; false: the scene's own probes stay
   std::vector<Phrase> sentences;                   ///< without full stop: what was tried, and what it brought
   std::vector<RoomErrors> rooms;                   ///< in the order of the placement's rooms
   std::vector<EyePictures> views;                  ///< if asked for, and something is proposed
@@ -55,11 +55,12 @@ struct PictureCheckSettings {
   const SharedWork* shared = nullptr;
 };
 
-/// Tries `placement`, the same with three bounces and with one, without the probes of parts of rooms, one box around
-/// all rooms and one around all of the model, and the scene's own probes with three bounces, where a bare model's is as
-/// it opened also with one; leaves in `placement` what measured best. If that is not better by 5 % than what the scene
-/// has, it leaves the scene's own probes as those kept. Captures are small ones, for all alike. Nothing if `progress`
-/// stopped it; without eyes or light no check, and a sentence that says so.
+/// Tries `placement`, the same with all bounces of light and with one, without the probes of parts of rooms, one box
+/// around all rooms and one around all of the model, and the scene's own probes with all bounces, where a bare model's
+/// is as it opened also with one; leaves in `placement` what measured best. If that is not surely better than what the
+/// scene has, it leaves the scene's own probes as those kept. Surely: by 5 %, or by 1 % of which the eyes tell alike,
+/// so that others would, too. Captures are small ones, for all alike. Nothing if `progress` stopped it; without eyes or
+/// light no check, and a sentence that says so.
 std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
                                           const std::function<bool(double)>& progress,
                                           const PictureCheckSettings& settings = {});

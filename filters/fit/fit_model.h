@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "filters/core/scene/bounces.h"
 #include "filters/fit/box/fit_box.h"
 #include "filters/fit/import_guess.h"
 #include "filters/fit/model_kind.h"
@@ -11,10 +12,9 @@
 
 namespace boxprobe {
 
-/// Bounces of light in the captures of rooms, whose walls light one another. With one, pictures of eight of eleven of
-/// other people's rooms were up to eight times as wrong as with three; those of three were better
-/// (tests/bench/README.md).
-inline constexpr int kRoomBounces = 3;
+/// Bounces of light in the captures of rooms, whose walls light one another: all. With three, white rooms are a third
+/// too dark (tests/bench/README.md).
+inline constexpr int kRoomBounces = kAllBounces;
 
 /// Settings that override the fit.
 struct FitWishes {

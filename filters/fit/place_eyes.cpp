@@ -13,7 +13,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr std::size_t kRoomEyes = 6, kMostPlaces = 300;
+constexpr std::size_t kRoomEyes = 12, kMostPlaces = 300;
 constexpr int kYaws = 12;
 constexpr double kClearance = 0.08;  // of the room's height: nothing closer
 

@@ -332,9 +332,20 @@ PlacedScene placedBy(const Options& options, const std::string& scene) {
   return placed;
 }
 
-void judge(OffscreenScene& shown, const Options& options, const std::string& path) {
+void judge(OffscreenScene& shown, Options options, const std::string& path) {
   Interior interior;
   interior.loaded = loadScene(path, options.assignments);
+  if (interior.loaded.fit && interior.loaded.fit->guess) {  // as whoever says yes to what the window asks
+    const ImportGuess& guess = *interior.loaded.fit->guess;
+    const std::string unit = guess.unit == LengthUnit::Millimetre   ? "mm"
+                             : guess.unit == LengthUnit::Centimetre ? "cm"
+                                                                    : "m";
+    options.assignments.push_back("models.0.unit=" + unit);
+    if (guess.upAxis == UpAxis::Z) options.assignments.emplace_back("models.0.upAxis=z");
+    std::printf("%s: opened in %s%s, as the window proposes\n", path.c_str(), unit.c_str(),
+                guess.upAxis == UpAxis::Z ? " with z up" : "");
+    interior.loaded = loadScene(path, options.assignments);
+  }
   if (std::sscanf(options.size.c_str(), "%dx%d", &interior.width, &interior.height) != 2) {
     throw InputError("--size " + options.size + ": expected WxH");
   }

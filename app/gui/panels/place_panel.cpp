@@ -19,6 +19,7 @@
 #include "app/gui/widgets/window_words.h"
 #include "app/session/offscreen_scene.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/scene/bounces.h"
 
 namespace boxprobe {
 
@@ -218,8 +219,9 @@ void PlacePanel::review(Result result) {
     const auto before = findProbe(given_, kept.name);
     if (before && given_.probes[*before] == kept) continue;
     propose(kept, true, i,
-            kept.bounces == 1 ? tr("As it is, but with 1 bounce of light")
-                              : tr("As it is, but with %1 bounces of light").arg(kept.bounces),
+            kept.bounces == 1  ? tr("As it is, but with 1 bounce of light")
+            : allBounces(kept) ? tr("As it is, but with all bounces of light")
+                               : tr("As it is, but with %1 bounces of light").arg(kept.bounces),
             {});
   }
   for (std::size_t i = 0; i < placement.probes.size(); ++i) {

@@ -5647,12 +5647,12 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>dem ganzen Modell angepasst, was messbar besser war als seine Räume</translation>
     </message>
     <message>
-        <source>no probe made the pictures better by %1 %: none is proposed</source>
-        <translation>keine Sonde hat die Bilder um %1 % verbessert: keine wird vorgeschlagen</translation>
+        <source>no probe surely made the pictures better: none is proposed</source>
+        <translation>keine Sonde hat die Bilder sicher verbessert: keine wird vorgeschlagen</translation>
     </message>
     <message>
-        <source>nothing measured better by %1 % than the scene&apos;s own probes, which stay</source>
-        <translation>nichts war um %1 % messbar besser als die Sonden der Szene, die bleiben</translation>
+        <source>nothing measured surely better than the scene&apos;s own probes, which stay</source>
+        <translation>nichts war messbar und sicher besser als die Sonden der Szene, die bleiben</translation>
     </message>
     <message>
         <source>the scene&apos;s own probes stay, bounces of light: %1</source>
@@ -5930,6 +5930,10 @@ eine Abfrage, auf Fläche %1</translation>
         <source>it has no surface that hides what is behind it</source>
         <translation>es hat keine Oberfläche, die etwas hinter sich verdeckt</translation>
     </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
 </context>
 <context>
     <name>boxprobe::PictureCompare</name>
@@ -6157,6 +6161,10 @@ eine Abfrage, auf Fläche %1</translation>
     <message>
         <source>Place probes</source>
         <translation>Sonden platzieren</translation>
+    </message>
+    <message>
+        <source>As it is, but with all bounces of light</source>
+        <translation>Wie es ist, aber mit allen Abprallern des Lichts</translation>
     </message>
 </context>
 <context>

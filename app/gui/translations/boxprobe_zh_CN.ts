@@ -5647,12 +5647,12 @@ one lookup, on face %1</source>
         <translation>拟合到整个模型，测得优于各房间</translation>
     </message>
     <message>
-        <source>no probe made the pictures better by %1 %: none is proposed</source>
-        <translation>没有探针能使画面改善 %1 %：不作建议</translation>
+        <source>no probe surely made the pictures better: none is proposed</source>
+        <translation>没有探针能确定地改善画面：不作建议</translation>
     </message>
     <message>
-        <source>nothing measured better by %1 % than the scene&apos;s own probes, which stay</source>
-        <translation>没有方案测得比场景自身探针好 %1 %，保留原探针</translation>
+        <source>nothing measured surely better than the scene&apos;s own probes, which stay</source>
+        <translation>没有方案测得确定比场景自身探针好，保留原探针</translation>
     </message>
     <message>
         <source>the scene&apos;s own probes stay, bounces of light: %1</source>
@@ -5930,6 +5930,10 @@ one lookup, on face %1</source>
         <source>it has no surface that hides what is behind it</source>
         <translation>没有能遮挡其后方的表面</translation>
     </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
 </context>
 <context>
     <name>boxprobe::PictureCompare</name>
@@ -6157,6 +6161,10 @@ one lookup, on face %1</source>
     <message>
         <source>Place probes</source>
         <translation>放置探针</translation>
+    </message>
+    <message>
+        <source>As it is, but with all bounces of light</source>
+        <translation>保持现状，但使用全部光反弹</translation>
     </message>
 </context>
 <context>
