@@ -36,7 +36,7 @@ constexpr double kNoisy = 0.5;      // of value and a tenth of white: what the t
 constexpr double kCertain = 0.1;    // of the light: with less that is known the truth tells nothing
 constexpr double kBetter = 0.99;    // of the error: one trial over another
 constexpr double kSurely = 0.95;    // over the scene's own probes, whatever single eyes say
-constexpr double kAlike = 2.0;      // or the gain over its standard error, from eye to eye: what others would see, too
+constexpr double kAlike = 2.0;      // or the gain over its standard error, from eye to eye
 constexpr double kNoWorse = 1.005;  // without a probe: it is left out
 
 std::string errorText(double error) {
@@ -290,16 +290,7 @@ class Checker {
 
   /// What measured best, over the scene's own probes.
   bool surelyBetter(const PictureErrors& best, const PictureErrors& own) const {
-    if (best.error < kSurely * own.error) return true;
-    if (!isBetter(best, own) || eyes_.size() < 2) return false;
-    const double count = static_cast<double>(eyes_.size());
-    double gain = 0.0, spread = 0.0;
-    for (std::size_t i = 0; i < eyes_.size(); ++i) gain += (ownSquares_[i] - bestSquares_[i]) / count;
-    for (std::size_t i = 0; i < eyes_.size(); ++i) {
-      const double off = ownSquares_[i] - bestSquares_[i] - gain;
-      spread += off * off / (count * (count - 1.0));
-    }
-    return gain > kAlike * std::sqrt(spread);
+    return best.error < kSurely * own.error || (isBetter(best, own) && eyesAgree(ownSquares_, bestSquares_));
   }
 
   static bool isBetter(const PictureErrors& errors, const PictureErrors& best) {
@@ -672,6 +663,18 @@ class Checker {
 };
 
 }  // namespace
+
+bool eyesAgree(const std::vector<double>& before, const std::vector<double>& after) {
+  const auto count = static_cast<double>(before.size());
+  if (before.size() < 2) return false;
+  double gain = 0.0, spread = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) gain += (before[i] - after[i]) / count;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double off = before[i] - after[i] - gain;
+    spread += off * off / (count * (count - 1.0));
+  }
+  return gain > kAlike * std::sqrt(spread);
+}
 
 std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
                                           const std::function<bool(double)>& progress,

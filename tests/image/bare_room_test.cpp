@@ -6,6 +6,7 @@
 
 #include "app/session/load_scene.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/picture_check.h"
 #include "filters/fit/fit_model.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/unit/io_glb_builder.h"
@@ -75,6 +76,17 @@ TEST_F(BareRoom, AnIntegratingSphereOpensAsBrightAsItsSeriesEnds) {
   std::printf("light of the lamp %.4f, of all bounces %.4f: %.3f of the series\n", lamp, all,
               all / lamp * (1.0 - kShare));
   EXPECT_NEAR(all / lamp * (1.0 - kShare), 1.0, 0.06);
+}
+
+// Gains of 0.4, 0.3 and 0.2: mean 0.3, standard error 0.058. Of 0.9, 0.1 and -0.1: 0.3 and 0.306.
+TEST(EyesAgree, WhereEachGainsAboutAsMuch) {
+  EXPECT_TRUE(eyesAgree({2.4, 1.3, 3.2}, {2.0, 1.0, 3.0}));
+  EXPECT_FALSE(eyesAgree({2.0, 1.0, 3.0}, {2.4, 1.3, 3.2})) << "it is worse";
+  EXPECT_FALSE(eyesAgree({2.9, 1.1, 2.9}, {2.0, 1.0, 3.0})) << "one eye alone";
+  EXPECT_FALSE(eyesAgree({2.4}, {2.0})) << "nobody else was asked";
+  // Mean 0.3, standard error 0.158 and 0.146.
+  EXPECT_FALSE(eyesAgree({2.6, 1.235, 3.065}, {2.0, 1.0, 3.0}));
+  EXPECT_TRUE(eyesAgree({2.59, 1.18, 3.13}, {2.0, 1.0, 3.0}));
 }
 
 }  // namespace
