@@ -93,7 +93,7 @@ TEST(PlacedRooms, PeopleStandWithinReachOfTheFloor) {
   const std::optional<Placement> placement = placedIn(threeRooms().model);
   ASSERT_TRUE(placement);
   for (const PlacedRoom& room : placement->rooms) {
-    ASSERT_EQ(room.eyes.size(), 6u) << room.name;
+    ASSERT_EQ(room.eyes.size(), 12u) << room.name;
     for (const Camera& eye : room.eyes) {
       EXPECT_GE(eye.position.y, 1.19) << room.name;
       EXPECT_LE(eye.position.y, 1.81) << room.name;
