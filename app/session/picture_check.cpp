@@ -29,15 +29,16 @@ constexpr int kWidth = 48, kHeight = 27;
 constexpr int kViewWidth = 96, kViewHeight = 54;                       // for people to look at
 constexpr std::size_t kLeastEyes = 16, kMostEyes = 64, kRoomEyes = 2;  // at most; of each room, where there are many
 constexpr std::size_t kMostParts = 4, kMostMoved = 4;
-constexpr int kFaceSize = 64;       // of captures: sixteen times as fast as what is drawn later
-constexpr double kGlossy = 4.0;     // weight: a wrong mirror is seen at once
-constexpr double kWhite = 5.0;      // over the mean: lamps seen in mirrors would outweigh rooms
-constexpr double kNoisy = 0.5;      // of value and a tenth of white: what the truth does not know is left out
-constexpr double kCertain = 0.1;    // of the light: with less that is known the truth tells nothing
-constexpr double kBetter = 0.99;    // of the error: one trial over another
-constexpr double kSurely = 0.95;    // over the scene's own probes, whatever single eyes say
-constexpr double kAlike = 2.0;      // or the gain over its standard error, from eye to eye
-constexpr double kNoWorse = 1.005;  // without a probe: it is left out
+constexpr int kFaceSize = 64;           // of captures: sixteen times as fast as what is drawn later
+constexpr double kGlossy = 4.0;         // weight: a wrong mirror is seen at once
+constexpr double kWhite = 5.0;          // over the mean: lamps seen in mirrors would outweigh rooms
+constexpr double kNoisy = 0.5;          // of value and a tenth of white: what the truth does not know is left out
+constexpr double kCertain = 0.1;        // of the light: with less that is known the truth tells nothing
+constexpr double kBetter = 0.99;        // of the error: one trial over another
+constexpr double kSurely = 0.95;        // over the scene's own probes, whatever single eyes say
+constexpr double kAlike = 2.0;          // or the gain over its standard error, from eye to eye
+constexpr std::size_t kFewestEyes = 6;  // that tell a standard error: Student's quantile of 95 % is that number
+constexpr double kNoWorse = 1.005;      // without a probe: it is left out
 
 std::string errorText(double error) {
   return decimalText(error, 3);
@@ -666,7 +667,7 @@ class Checker {
 
 bool eyesAgree(const std::vector<double>& before, const std::vector<double>& after) {
   const auto count = static_cast<double>(before.size());
-  if (before.size() < 2) return false;
+  if (before.size() < kFewestEyes) return false;
   double gain = 0.0, spread = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) gain += (before[i] - after[i]) / count;
   for (std::size_t i = 0; i < before.size(); ++i) {

@@ -66,7 +66,7 @@ std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& 
                                           const PictureCheckSettings& settings = {});
 
 /// Would other eyes find it better, too? True if the mean of what each of these gains is more than twice its standard
-/// error. `before`, `after`: squared errors of the same eyes, of two at least.
+/// error; false with fewer than six. `before`, `after`: squared errors of the same eyes.
 bool eyesAgree(const std::vector<double>& before, const std::vector<double>& after);
 
 }  // namespace boxprobe

@@ -12,8 +12,8 @@
 
 namespace boxprobe {
 
-/// Bounces of light in the captures of rooms, whose walls light one another: all. With three, white rooms are a third
-/// too dark (tests/bench/README.md).
+/// Bounces of light in the captures of rooms, whose walls light one another: all. With three, bright rooms are too
+/// dark (tests/bench/README.md).
 inline constexpr int kRoomBounces = kAllBounces;
 
 /// Settings that override the fit.

@@ -7,6 +7,7 @@
 #include "app/cli/farm/bake_share.h"
 #include "app/session/valid_json.h"
 #include "filters/core/base/fixed_text.h"
+#include "filters/core/scene/bounces.h"
 #include "filters/vtk/gl/map_bytes.h"
 
 namespace boxprobe {
@@ -41,7 +42,8 @@ std::string bakeListText(const std::vector<BakeRow>& rows, const std::vector<Pro
     const BakeRow& row = rows[i];
     text += row.state + std::string(9 - row.state.size(), ' ') + row.name;
     if (row.state != "done" && row.made > 0) {
-      text += " (" + std::to_string(row.made) + " of " + std::to_string(row.bounces) + " bounces)";
+      text += " (" + std::to_string(row.made) + (allBounces(probes[i]) ? " of at most " : " of ") +
+              std::to_string(row.bounces) + " bounces)";
     }
     text += "\n";
     if (row.state == "done") {

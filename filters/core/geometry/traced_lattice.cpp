@@ -460,8 +460,10 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
   });
   std::vector<char> known(count, 1);
   for (std::size_t node = 0; node < count; ++node) known[node] = nodes[node].known ? 1 : 0;
-  // The capture origin stands in the open. Where it sees backs, they mean nothing in this scene.
-  const bool fills = tracer.trace(glm::vec3(0.0f)).known;
+  // Fronts and backs mean something where the capture origin, which stands in the open, sees fronts, and where many
+  // nodes do. Few do of a round room within a large influence.
+  const bool fills = tracer.trace(glm::vec3(0.0f)).known ||
+                     4 * static_cast<std::size_t>(std::count(known.begin(), known.end(), 1)) >= count;
   cutWays(lattice, fills ? known : std::vector<char>(count, 1), in);
   // What far ends receive is the light of the nodes around them, which see far ends themselves: again, until that makes
   // no difference. Surfaces scatter less than they receive, so that it ends.
