@@ -37,7 +37,7 @@ constexpr double kCertain = 0.1;        // of the light: with less that is known
 constexpr double kBetter = 0.99;        // of the error: one trial over another
 constexpr double kSurely = 0.95;        // over the scene's own probes, whatever single eyes say
 constexpr double kAlike = 2.0;          // or the gain over its standard error, from eye to eye
-constexpr std::size_t kFewestEyes = 6;  // that tell a standard error: Student's quantile of 95 % is that number
+constexpr std::size_t kFewestEyes = 6;  // of six, twice that error is what chance exceeds in 5 % (Student)
 constexpr double kNoWorse = 1.005;      // without a probe: it is left out
 
 std::string errorText(double error) {

@@ -399,4 +399,73 @@ TEST(TracedLattice, NoLightComesThroughAWallInTheBox) {
   EXPECT_GT(leaks, 0.1 * bright) << "nothing is judged";
 }
 
+// A round room in a box many times as large: a thirtieth of the nodes stand in it, the others behind its wall.
+struct RoundRoom : SightLines {
+  static constexpr double kRadius = 1.1;
+  const dvec3 middle{0.3, -0.2, 0.1};
+  bool empty() const override { return false; }
+  Box bounds() const override { return {middle - kRadius, middle + kRadius}; }
+  bool blocked(const dvec3& from, const dvec3& to, bool) const override {
+    const double length = glm::length(to - from);
+    const auto met = first(from, (to - from) / length);
+    return met && met->distance < length;
+  }
+  std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
+    const dvec3 way = from - middle;
+    const double along = glm::dot(way, d), square = along * along - glm::dot(way, way) + kRadius * kRadius;
+    if (square <= 0.0) return std::nullopt;
+    const double in = -along - std::sqrt(square), out = -along + std::sqrt(square);
+    if (out <= 0.0) return std::nullopt;
+    Met met;
+    met.back = in > 0.0;
+    met.distance = met.back ? in : out;
+    met.normal = (met.back ? 1.0 : -1.0) * (way + met.distance * d) / kRadius;
+    met.albedo = kAlbedo;
+    return met;
+  }
+};
+
+// Its wall shines alike all over, so that each place of it receives just that.
+TEST(TracedLattice, NodesBehindTheWallOfARoundRoomAreNotItsLight) {
+  const glm::vec3 shown(0.4f, 0.7f, 1.1f);
+  CubeMap capture(8, 1);
+  for (int face = 0; face < 6; ++face) {
+    for (int i = 0; i < 64; ++i) capture.setTexel(0, face, i % 8, i / 8, glm::vec4(shown, 1.0f));
+  }
+  const CubeMap means = plainMeans(capture);
+  const auto room = std::make_shared<const RoundRoom>();
+  LatticeSurroundings in;
+  in.lines = room;
+  in.lamps = std::make_shared<const SceneLamps>();
+  shading::ProbeShape shape{};
+  shape.boxMin = {-2.9f, -2.6f, -3.1f};
+  shape.boxMax = {2.7f, 2.5f, 3.1f};
+  shape.projection = 0;
+  LatticeSettings settings;
+  settings.spacing = 0.4f;
+  const DiffuseLattice lattice =
+      tracedLattice(makeDiffuseLattice(means, shape, glm::mat3(1.0f), glm::mat3(1.0f), settings), means, in);
+  const auto count = lattice.texels.size() / DiffuseLattice::kParts;
+  std::size_t inside = 0;
+  for (std::size_t node = 0; node < count; ++node) {
+    inside += lattice.texels[(DiffuseLattice::kParts - 1) * count + node].w > 0.5f ? 1 : 0;
+  }
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  float least = 1e9f, most = 0.0f;
+  for (int i = 0; i < 500; ++i) {
+    const double z = 1.0 - 2.0 * any(random), phi = 2.0 * kPi * any(random), r = std::sqrt(1.0 - z * z);
+    const dvec3 out(r * std::cos(phi), r * std::sin(phi), z);
+    const glm::vec3 facing(-out), place(room->middle + RoundRoom::kRadius * out);
+    const glm::vec3 there = shading::latticeIrradiance(lattice.shape(), place, facing, facing) / shown;
+    least = std::min({least, there.x, there.y, there.z});
+    most = std::max({most, there.x, there.y, there.z});
+  }
+  std::printf("%zu of %zu nodes inside, light at the wall %.3f to %.3f of the truth\n", inside, count,
+              static_cast<double>(least), static_cast<double>(most));
+  EXPECT_LT(20 * inside, count) << "nothing is judged";
+  EXPECT_GT(least, 0.95f);
+  EXPECT_LT(most, 1.05f);
+}
+
 }  // namespace

@@ -66,7 +66,8 @@ std::optional<PictureCheck> compared(const PlaceCommandOptions& options, const L
 
 /// Of all that fits and pictures depend on.
 std::string placeKey(const LoadedScene& loaded, const PlaceSettings& settings) {
-  ContentHash hash;  // another number where what is shared changes, as the eyes do
+  ContentHash hash;
+  // The number tells what this program shares from what older ones did, which had other eyes.
   hash.add("place 2").add(loadedSceneKey(loaded)).add(static_cast<double>(settings.most)).add(settings.leastGain);
   hash.add(settings.keep ? 1.0 : 0.0).add(settings.inverted ? 1.0 : 0.0).add(settings.rays);
   return hash.text();
