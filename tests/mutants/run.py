@@ -27,37 +27,141 @@ LEAST_FREE = 2 << 30  # bytes of disk; a test that leaves less is ended
 # What a developer of a folder runs: ninja targets, and programs with the filter of their tests, the quickest first.
 # The first row that a path begins with counts. A program is looked for below build/mutants/tests.
 UNIT = ["core_test", "io_test", "fit_test", "technique_test"]
+LAMPS = ["lamp_shapes_test", "lamp_sight_test", "capture_sight_test", "parity_test", "shapes_picture_test", "glossy_lamps_test",
+         "lamp_test", "capture_lamps_test", "explain_test", "baseline_test"]
+LATTICE = ["lamp_shapes_test", "diffuse_rooms_test", "traced_lattice_test", "parity_test", "sight_picture_test", "offscreen_scene_test",
+           "explain_test", "baseline_test"]
+SHADOWS = ["cube_picture_test", "lamp_sight_test", "parity_test", "sun_shadow_test", "shadow_test", "sight_picture_test", "baseline_test",
+           "explain_test"]
+MIRRORS = ["core_test", "parity_test", "mirror_test", "planar_mirror_test", "baseline_test", "explain_test", "splice_test"]
+GLASS = ["refraction_test", "projection_rays_test", "parity_test", "glass_test", "explain_test", "baseline_test"]
+REFINED = ["path_test", "whole_picture_test", "frame_average_test", "refinement_test", "still_view_test", "vtk_program_test", "rest_test",
+           "baseline_test"]
 SUBJECTS = [
-    ("shaders/technique/", ["technique_test", "relief_test", "baseline_test", "parity_test", "footprint_picture_test", "explain_test"]),
-    ("shaders/shared/", ["technique_test", "cube_picture_test", "relief_test", "refraction_test", "brdf_table_test", "reference_test", "baseline_test", "parity_test", "edited_test:OddRoom*", "stress_test",
-                         "glass_test", "gltf_picture_test", "explain_test", "shadow_test", "planar_mirror_test"]),
+    ("shaders/technique/projection_impostor", ["technique_test", "true_hit_test", "baseline_test", "parity_test", "impostor_test", "explain_test"]),
+    ("shaders/technique/", ["technique_test", "relief_test", "mirror_test", "baseline_test", "parity_test", "footprint_picture_test",
+                            "explain_test"]),
+    ("shaders/shared/lamp", LAMPS),
+    ("shaders/shared/light_", LAMPS),
+    ("shaders/shared/lattice", LATTICE),
+    ("shaders/shared/sh.", LATTICE),
+    ("shaders/shared/s", ["technique_test", "cube_picture_test", "lamp_sight_test", "brdf_table_test", "reference_test", "sun_shadow_test",
+                          "sight_picture_test",
+                          "baseline_test", "parity_test", "edited_test:OddRoom*", "shadow_test", "gltf_picture_test", "explain_test"]),
+    ("shaders/shared/mirror", MIRRORS),
+    ("shaders/shared/planar", MIRRORS),
+    ("shaders/shared/glass", GLASS),
+    ("shaders/shared/refraction", GLASS),
+    ("shaders/shared/", ["technique_test", "cube_picture_test", "relief_test", "refraction_test", "brdf_table_test", "reference_test",
+                         "true_hit_test", "baseline_test", "parity_test", "edited_test:OddRoom*", "stress_test",
+                         "glass_test", "gltf_picture_test", "explain_test", "shadow_test", "planar_mirror_test", "impostor_test"]),
     ("shaders/published/", ["published_test", "baseline_test", "technique_test", "stress_test"]),
     ("shaders/stress/", ["stress_test", "stress_gpu_test"]),
-    ("shaders/gpu/", ["baseline_test", "edited_test", "splice_test", "stock_test", "explain_test", "gltf_picture_test",
-                      "planar_mirror_test", "prefilter_test", "frame_average_test", "bake_test"]),
+    ("shaders/gpu/lamp", LAMPS),
+    ("shaders/gpu/light_", LAMPS + ["sun_shadow_test"]),
+    ("shaders/gpu/fetch_light", LAMPS + ["sun_shadow_test"]),
+    ("shaders/gpu/fetch_lattice", LATTICE),
+    ("shaders/gpu/sight", SHADOWS),
+    ("shaders/gpu/sky_open", SHADOWS),
+    ("shaders/gpu/sun_", SHADOWS),
+    ("shaders/gpu/moving_", SHADOWS),
+    ("shaders/gpu/ground_", SHADOWS),
+    ("shaders/gpu/mirror", MIRRORS),
+    ("shaders/gpu/glass", GLASS),
+    ("shaders/gpu/behind", GLASS),
+    ("shaders/gpu/reflection_", ["frame_average_test", "refinement_test", "still_view_test", "vtk_program_test", "baseline_test"]),
+    ("shaders/gpu/", ["baseline_test", "orientation_test", "edited_test", "splice_test", "stock_test", "explain_test", "gltf_picture_test",
+                      "true_hit_test", "planar_mirror_test", "prefilter_test", "frame_average_test", "bake_test", "ray_layer_test"]),
     ("filters/math/published/", ["published_test", "baseline_test", "technique_test", "stress_test"]),
-    ("filters/math/", ["technique_test", "cube_picture_test", "brdf_table_test", "prefilter_unit_test", "refraction_test", "relief_test", "baseline_test", "parity_test",
+    ("filters/math/cube/diffuse_lattice", LATTICE),
+    ("filters/math/cube/lamp_free", LAMPS),
+    ("filters/math/cube/openings", ["lamp_shapes_test", "capture_sight_test", "diffuse_rooms_test", "sight_picture_test", "baseline_test"]),
+    ("filters/math/shared/lamp", LAMPS),
+    ("filters/math/shared/finish", ["reference_test", "gltf_picture_test", "baseline_test"]),
+    ("filters/math/technique/", ["technique_test", "bench_test", "baseline_test", "bench_cli_test", "skipped_test", "prefilter_test"]),
+    ("filters/math/", ["technique_test", "cube_picture_test", "brdf_table_test", "prefilter_unit_test", "refraction_test", "relief_test",
+                       "diffuse_rooms_test", "sight_picture_test", "baseline_test", "parity_test",
                        "stress_test", "explain_test"]),
-    ("filters/core/", ["core_test", "io_test", "cube_picture_test", "lamp_sight_test", "traced_lattice_test", "capture_sight_test", "baseline_test", "probe_plan_test", "edited_test", "cli_test:Info*:Render*"]),
-    ("filters/io/engines/", ["engine_test", "rgbm_test", "baseline_test"]),
-    ("filters/io/", ["io_test", "files_test", "cube_file_test", "baseline_test", "lesson_file_test", "model_reader_test",
-                     "cli_test:Bad*"]),
-    ("filters/fit/", ["fit_test", "baseline_test", "cli_test:Fit*:Place*"]),
-    ("filters/explain/", ["explanation_text_test", "explanation_json_test", "baseline_test", "explain_test", "edited_test:OddRoom*"]),
-    ("filters/reference/", ["reference_test", "baseline_test", "bench_test", "lamp_test", "reference_picture_test"]),
-    ("filters/stress/", ["stress_test"]),
+    ("filters/core/geometry/lamp", LAMPS),
+    ("filters/core/geometry/light", LAMPS + ["sun_shadow_test", "shadow_test"]),
+    ("filters/core/geometry/scene_lamps", LAMPS),
+    ("filters/core/geometry/sight", LAMPS + ["sight_picture_test"]),
+    ("filters/core/geometry/ground", SHADOWS),
+    ("filters/core/geometry/sky", SHADOWS),
+    ("filters/core/geometry/traced", LATTICE),
+    ("filters/core/geometry/probe_diffuse", ["explanation_text_test", *LATTICE]),
+    ("filters/core/geometry/mirror", MIRRORS),
+    ("filters/core/base/", ["core_test", "platform_test", "io_test", "files_test", "baseline_test", "cli_test:Info*:Render*:Messages*"]),
+    ("filters/core/picture/", ["bench_test", "cube_file_test", "cube_picture_test", "bake_test", "baseline_test", "cli_test:Bake*",
+                               "offscreen_scene_test"]),
+    ("filters/core/surface/", ["explanation_text_test", "reference_test", "path_test", "explain_test", "reference_picture_test", "baseline_test"]),
+    ("filters/core/", ["core_test", "io_test", "cube_picture_test", "lamp_sight_test", "traced_lattice_test", "capture_sight_test",
+                       "probe_plan_test", "editor_test", "baseline_test", "edited_test", "explain_test", "cli_test:Info*:Render*:Export*"]),
+    ("filters/io/engines/glb_", ["glb_probes_test", "engine_test", "baseline_test", "cli_test:Export*"]),
+    ("filters/io/engines/", ["engine_test", "glb_probes_test", "rgbm_test", "baseline_test", "cli_test:Export*:Import*"]),
+    ("filters/io/cube/sky", ["cube_file_test", "environment_test", "cube_picture_test", "io_test", "sun_shadow_test", "environment_drawn_test",
+                             "baseline_test", "offscreen_scene_test"]),
+    ("filters/io/cube/", ["cube_file_test", "environment_test", "files_test", "bake_test", "baseline_test", "cli_test:Bake*:Export*",
+                          "environment_drawn_test", "exrenvmap_test"]),
+    ("filters/io/image/", ["io_test", "environment_test", "files_test", "cube_file_test", "baseline_test", "gltf_picture_test",
+                           "environment_drawn_test", "cli_test:Bad*"]),
+    ("filters/io/scene/lesson", ["lesson_file_test", "cli_test:Lessons*", "lesson_test"]),
+    ("filters/io/scene/pareto", ["bench_test", "frame_report_test", "bench_cli_test", "baseline_test"]),
+    ("filters/io/scene/", ["io_test", "files_test", "core_test", "baseline_test", "cli_test:Bad*:Info*:Fit*"]),
+    ("filters/io/", ["io_test", "files_test", "model_reader_test", "cube_file_test", "lesson_file_test", "baseline_test",
+                     "cli_test:Bad*", "gltf_picture_test"]),
+    ("filters/fit/", ["fit_test", "offscreen_scene_test", "baseline_test", "cli_test:Fit*:Place*", "vtk_program_test",
+                      "gui_test:FitPanel*:PlacePanel*:ProbeGauge*"]),
+    ("filters/explain/", ["explanation_text_test", "explanation_json_test", "schematic_test", "baseline_test", "explain_test",
+                          "edited_test:OddRoom*", "cli_test:Explain*", "gui_test:ExplainCard*:Schematic*"]),
+    ("filters/reference/path/", ["path_test", "reference_test", "reference_picture_test", "lamp_test", "baseline_test", "reference_cli_test",
+                                 "truth_test"]),
+    ("filters/reference/truth/", ["truth_test", "bench_cli_test:TruthBench*", "impostor_truth_test"]),
+    ("filters/reference/", ["reference_test", "path_test", "whole_picture_test", "bench_test", "reference_picture_test", "baseline_test",
+                            "lamp_test", "glass_test", "reference_cli_test", "bench_cli_test"]),
+    ("filters/stress_gpu/", ["stress_gpu_test", "cli_test:Stress*"]),
+    ("filters/stress/", ["stress_test", "cli_test:Stress*"]),
     ("filters/vtk/import/", ["model_reader_test", "baseline_test", "cli_test:BadModel*"]),
-    ("filters/vtk/inspect/", ["frame_report_test", "baseline_test", "gui_test:FramePanel*", "cli_test:Info*", "explain_test"]),
+    ("filters/vtk/inspect/", ["frame_report_test", "baseline_test", "gui_test:FramePanel*:Preview*:DebugView*:SelectHere*",
+                              "cli_test:Info*:Report*", "explain_test", "offscreen_scene_test"]),
     ("filters/vtk/charts/", ["frame_report_test:FrontChart*", "gui_test:CostPanel*"]),
-    ("filters/vtk/actors/", ["actor_probes_test", "vtk_program_test"]),
-    ("filters/vtk/widgets/", ["gui_geometry_test", "probe_widget_test"]),
-    ("filters/vtk/surface/", ["vtk_text_test", "baseline_test", "splice_test", "edited_test", "draw_ways_test", "glass_test", "explain_test"]),
-    ("filters/vtk/frame/", ["refinement_test", "frame_average_test", "still_view_test", "baseline_test", "shadow_test", "glass_test"]),
-    ("filters/vtk/rays/", ["projection_rays_test", "ray_layer_test"]),
-    ("filters/vtk/probes/", ["probe_plan_test", "capture_test", "baseline_test", "edited_test", "bake_test", "many_probes_test"]),
+    ("filters/vtk/actors/", ["actor_probes_test", "vtk_program_test", "probe_widget_test"]),
+    ("filters/vtk/placement/", ["vtk_program_test"]),
+    ("filters/vtk/widgets/", ["gui_geometry_test", "probe_widget_test", "gui_test:Drag*:Handle*"]),
+    ("filters/vtk/surface/glass", GLASS),
+    ("filters/vtk/surface/vtkGround", SHADOWS),
+    ("filters/vtk/surface/", ["vtk_text_test", "vtk_text_compile_test", "baseline_test", "splice_test", "orientation_test", "edited_test",
+                              "draw_ways_test", "glass_test", "explain_test", "offscreen_scene_test"]),
+    ("filters/vtk/draw/lamp", LAMPS),
+    ("filters/vtk/draw/light", LAMPS + ["sun_shadow_test"]),
+    ("filters/vtk/draw/listed", LAMPS + ["sun_shadow_test"]),
+    ("filters/vtk/draw/probe_la", LATTICE + LAMPS),
+    ("filters/vtk/draw/mirror", MIRRORS),
+    ("filters/vtk/draw/glass", GLASS),
+    ("filters/vtk/draw/refined", REFINED),
+    ("filters/vtk/frame/mirror", MIRRORS),
+    ("filters/vtk/frame/sun", SHADOWS),
+    ("filters/vtk/frame/shadow", SHADOWS),
+    ("filters/vtk/frame/moving", SHADOWS),
+    ("filters/vtk/frame/behind", GLASS),
+    ("filters/vtk/frame/", REFINED + ["shadow_test", "glass_test", "frame_report_test", "offscreen_scene_test"]),
+    ("filters/vtk/gl/", ["pass_scope_test", "baseline_test", "stock_test", "prefilter_test", "capture_test", "gl_trouble_test", "surfaceless_test",
+                         "windows_test", "cli_test:Info*:Render*"]),
+    ("filters/vtk/maps/lamp", LAMPS),
+    ("filters/vtk/maps/lattice", LATTICE),
+    ("filters/vtk/maps/sight", LAMPS + SHADOWS),
+    ("filters/vtk/maps/openness", SHADOWS),
+    ("filters/vtk/maps/", ["probe_plan_test", "capture_test", "baseline_test", "edited_test", "bake_test", "prefilter_test", "splice_test",
+                           "many_probes_test", "sight_picture_test", "offscreen_scene_test"]),
+    ("filters/vtk/rays/", ["projection_rays_test", "ray_layer_test", "explain_test", "gui_test:DebugView*"]),
+    ("filters/vtk/probes/driver", ["capture_test", "folded_test", "splice_test"]),
+    ("filters/vtk/probes/sight", LAMPS + SHADOWS),
+    ("filters/vtk/probes/", ["probe_plan_test", "capture_test", "baseline_test", "edited_test", "bake_test", "many_probes_test",
+                             "vtk_program_test", "offscreen_scene_test"]),
     ("filters/vtk/capture/", ["baseline_test", "prefilter_test", "bake_test", "capture_test", "edited_test"]),
     ("filters/vtk/", ["baseline_test", "edited_test", "still_view_test", "capture_test", "draw_ways_test", "planar_mirror_test",
-                      "blending_test", "folded_test", "skipped_test", "explain_test", "glass_test", "shadow_test"]),
+                      "blending_test", "folded_test", "skipped_test", "explain_test", "glass_test", "shadow_test", "windows_test",
+                      "offscreen_scene_test"]),
     ("app/cli/farm/", ["baseline_test", "bake_farm_test", "cli_test:Bake*"]),
     ("app/cli/options/bench_", ["bench_cli_test"]),
     ("app/cli/options/", ["baseline_test", "cli_test:Help*:BadInput*:Messages*:Render*"]),
@@ -68,7 +172,7 @@ SUBJECTS = [
     ("app/cli/report/fit_", ["baseline_test", "cli_test:Fit*"]),
     ("app/cli/command/info_", ["baseline_test", "cli_test:Info*"]),
     ("app/cli/report/scene_", ["baseline_test", "cli_test:Info*"]),
-    ("app/cli/report/frame_", ["baseline_test", "cli_test:Info*"]),
+    ("app/cli/report/frame_", ["baseline_test", "cli_test:Info*:Report*"]),
     ("app/cli/command/place_", ["baseline_test", "cli_test:Place*"]),
     ("app/cli/report/place_", ["baseline_test", "cli_test:Place*"]),
     ("app/cli/command/stress_", ["cli_test:Stress*"]),
@@ -78,26 +182,36 @@ SUBJECTS = [
     ("app/cli/command/reference_", ["reference_cli_test"]),
     ("app/cli/report/stress_", ["cli_test:Stress*"]),
     ("app/cli/", ["baseline_test", "cli_test", "faults_test", "bake_farm_test"]),
-    ("app/session/", ["baseline_test", "cli_test", "faults_test", "offscreen_scene_test"]),
+    ("app/session/", ["baseline_test", "offscreen_scene_test", "cli_test", "faults_test", "gl_trouble_test", "surfaceless_test", "glb_probes_test",
+                      "gui_test:File*:Exposure*:Fit*:Place*"]),
     ("app/gui/handles/", ["gui_geometry_test", "gui_test:Drag*:Handle*:Probe*:Several*"]),
-    ("app/gui/explain/", ["schematic_test", "gui_test:Schematic*:ExplainCard*:DebugView*"]),
-    ("app/gui/edit/", ["panel_values_test", "editor_test", "gui_test:Several*:ValueField*:ProbePanel*"]),
+    ("app/gui/explain/", ["schematic_test", "gui_test:Schematic*:Explain*:DebugView*:Inspectors*"]),
+    ("app/gui/edit/", ["panel_values_test", "editor_test", "rest_test", "gui_test:Several*:ValueField*:Probe*:Exposure*:BackgroundWork*:Outliner*"]),
     ("app/gui/formula/", ["formula_test"]),
-    ("app/gui/view/", ["gui_test:Camera*:Animation*:Exposure*:*Compar*:*Preview*:Gestures*:SelectHere*"]),
-    ("app/gui/widgets/", ["panel_values_test", "gui_test:ValueField*:PanelSection*:ProbePanel*:ProbeGauge*"]),
-    ("app/gui/lessons/", ["gui_test:LessonList*", "cli_test:Lessons*", "lesson_test"]),
+    ("app/gui/view/rest", ["rest_test"]),
+    ("app/gui/view/", ["rest_test",
+                       "gui_test:Camera*:Animation*:Exposure*:*Compar*:*Preview*:Gestures*:SelectHere*:Import*:Picture*:TracedLight*:"
+                       "DebugView*:View*:Sky*"]),
+    ("app/gui/widgets/", ["panel_values_test", "gui_geometry_test",
+                          "gui_test:ValueField*:Panel*:Probe*:Window*:Welcome*:Accessible*:Outliner*:File*:Inspectors*", "language_test"]),
+    ("app/gui/lessons/", ["lesson_test", "gui_test:LessonList*", "cli_test:Lessons*", "lesson_walk_test"]),
     ("app/gui/window/lessons_command", ["cli_test:Lessons*"]),
-    ("app/gui/panels/", ["panel_values_test", "gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*"]),
-    ("app/gui/window/", ["gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*:Camera*"]),
+    ("app/gui/window/live_link", ["live_link_test"]),
+    ("app/gui/window/language", ["language_test"]),
+    ("app/gui/panels/outliner", ["editor_test", "gui_test:Outliner*:Panel*:Several*"]),
+    ("app/gui/panels/", ["panel_values_test", "gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*:Picture*:Technique*:Cheap*"]),
+    ("app/gui/window/", ["gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*:Camera*:Import*:Inspectors*:Welcome*:Exposure*:Fit*:Place*:"
+                         "Probe*:Empty*:Own*",
+                         "live_link_test", "language_test"]),
     ("app/gui/", ["gui_geometry_test", "schematic_test", "gui_test"]),
-    ("app/lessons/", ["lesson_file_test", "cli_test:Lessons*", "lessons_test"]),
+    ("app/lessons/", ["lesson_file_test", "page_policy_test", "cli_test:Lessons*", "lessons_test"]),
     ("app/", ["baseline_test", "cli_test"]),
 ]
 FOLDERS = ["shaders", "filters/math", "filters/core", "filters/fit", "filters/io", "filters/explain",
            "filters/reference", "filters/vtk", "app"]
 
 CONFIGURE = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DBOXPROBE_UNITY_FILES=3",
-             "-DBOXPROBE_ONLY_TESTS=house;unit;vtk;parity;image;cli;baseline;gui;stress"]
+             "-DBOXPROBE_ONLY_TESTS=house;unit;vtk;parity;image;cli;baseline;gui;stress;truth"]
 
 
 # ------------------------------------------------------------------------------------------------ what is changed
@@ -259,16 +373,16 @@ def limits():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def run(command, seconds, cwd=ROOT):
+def run(command, seconds, variables=None):
     """(what happened, seconds): "ok", "failed", "hung", "crashed", "filled the disk"; the whole group of processes ends with it."""
     start = time.time()
     shutil.rmtree(SCRATCH, ignore_errors=True)  # what an ended test left
     os.makedirs(SCRATCH)
-    environment = dict(os.environ, GALLIVM_PERF="nopt", GTEST_FAIL_FAST="1", TMPDIR=SCRATCH,
-                       CCACHE_SLOPPINESS="pch_defines,time_macros")
+    environment = dict(os.environ, GALLIVM_PERF="nopt", LP_NATIVE_VECTOR_WIDTH="128", GTEST_FAIL_FAST="1", TMPDIR=SCRATCH,
+                       CCACHE_SLOPPINESS="pch_defines,time_macros", **(variables or {}))
     status = "hung"
     with open(os.path.join(BUILD, "last-output.txt"), "w", encoding="utf-8") as output:
-        process = subprocess.Popen(command, cwd=cwd, stdout=output, stderr=subprocess.STDOUT, env=environment,
+        process = subprocess.Popen(command, cwd=ROOT, stdout=output, stderr=subprocess.STDOUT, env=environment,
                                    start_new_session=True, preexec_fn=limits)
         try:
             while time.time() - start < seconds:
@@ -320,13 +434,29 @@ def program(name):
 
 
 def command_of(test):
-    name, _, chosen = test.partition(":")
-    path = program(name)
-    if path is None:
-        return None
-    command = [path] + ([f"--gtest_filter={chosen}"] if chosen else [])
+    path = program(test.partition(":")[0])
     # As CTest runs it: with a display of its own, whether it needs one or not.
-    return ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24 -noreset", *command]
+    return path and ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24 -noreset", path]
+
+
+def quick_variables():
+    """What CTest sets for each program: among it the cases that the quick suite leaves out."""
+    listed = subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], capture_output=True, text=True, check=True).stdout
+    found = {}
+    for test in json.loads(listed)["tests"]:
+        properties = {p["name"]: p["value"] for p in test.get("properties", [])}
+        found[test["name"]] = dict(v.split("=", 1) for v in properties.get("ENVIRONMENT", []))
+    return found
+
+
+def variables_of(test, quick):
+    """Those of CTest, the filter narrowed to the cases that a row of the table names."""
+    name, _, chosen = test.partition(":")
+    variables = dict(quick.get(name, {}))
+    if chosen:
+        left_out = variables.get("GTEST_FILTER", "").removeprefix("-")
+        variables["GTEST_FILTER"] = f"{chosen}-{left_out}" if left_out else chosen
+    return variables
 
 
 def tests_of(path):
@@ -342,6 +472,7 @@ class Tests:
     def __init__(self):
         self.seconds = {}  # of those that pass without any fault planted; None: not built, or it fails by itself
         self.built = set()
+        self.quick = quick_variables()
 
     def prepare(self, tests):
         """Builds what is not yet known to compile, without any fault planted."""
@@ -358,7 +489,7 @@ class Tests:
         """Without any fault planted: whoever calls has put it back."""
         if not build([test.partition(":")[0]]):
             sys.exit(f"{test}: not built without any fault planted; see {BUILD}/last-output.txt")
-        what, seconds = run(command_of(test), 1800)
+        what, seconds = run(command_of(test), 1800, variables_of(test, self.quick))
         self.seconds[test] = seconds if what == "ok" else None
         if what != "ok":
             print(f"  {test}: {what} without any fault planted; left out", flush=True)
@@ -375,7 +506,7 @@ class Tests:
                 continue
             if not build([test.partition(":")[0]]):
                 return "does not compile", time.time() - start
-            what, seconds = run(command_of(test), max(60.0, 10.0 * known) if known is not None else 900.0)
+            what, seconds = run(command_of(test), max(60.0, 10.0 * known) if known is not None else 900.0, variables_of(test, self.quick))
             if what == "ok":
                 self.seconds.setdefault(test, seconds)
                 continue
@@ -520,7 +651,7 @@ def main():
         signal.signal(number, lambda *_: sys.exit(1))  # by way of every `with`
     if not arguments.list:
         configure()
-    tests = Tests()
+    tests = None if arguments.list else Tests()
     with open(os.path.join(BUILD, "log.jsonl"), "a", encoding="utf-8") as log:
         try:
             return replay(arguments.replay, tests, log) if arguments.replay else campaign(arguments, tests, log)
