@@ -18,7 +18,11 @@ void addPlain(Runs& runs) {
       {"info-glass", "info glass --json"},
       {"info-mirror-hall", "info mirror-hall --json"},
       {"info-model", "info odd.gltf --json --as interior --light ceiling"},
+      {"info-odd-text", "info odd"},
+      {"info-mirror-hall-text", "info mirror-hall"},
+      {"info-flat-text", "info flat"},
       {"fit-odd", "fit odd --json"},
+      {"fit-odd-text", "fit odd --yaw keep"},
       {"fit-odd-origin", "fit odd --json --origin propose --yaw keep"},
       {"fit-odd-faces", "fit odd --json --probe a --faces +x,-z --yaw keep"},
       {"fit-turned", "fit odd --json --probe c --set probes.c.rotationDegrees=[0,37,0] --origin propose"},
@@ -55,6 +59,21 @@ void addPlain(Runs& runs) {
       {"reference-path-windows", "render windows --technique reference-path --rays 8 --bounces all"},
   };
   for (const auto& [name, command] : references) runs.push_back({name, command, "picture.exr", false});
+  // A ray that meets an edge goes elsewhere on another machine: compared as what is drawn.
+  const Rows traced = {
+      {"reference-path-low", "render odd --camera low --technique reference-path --rays 8 --bounces 2"},
+      {"reference-path-glass", "render glass --camera ball --technique reference-path --rays 8 --bounces 4"},
+      {"reference-path-flat", "render flat --camera doorway --technique reference-path --rays 8 --bounces 2"},
+      {"reference-scene-glass", "render glass --camera prism --technique reference-scene --rays 8"},
+      {"reference-scene-mirrors", "render mirror-hall --camera floor --technique reference-scene --rays 8"},
+  };
+  for (const auto& [name, command] : traced) runs.push_back({name, command, "picture.exr", true});
+  const Rows placed = {
+      {"place-halls-angles", "place halls --json --unchecked"},
+      {"place-odd-angles", "place odd --json --unchecked --gain 0.7"},
+      {"place-windows-angles", "place windows --json --unchecked"},
+  };
+  for (const auto& [name, command] : placed) runs.push_back({name, command, "", true});
 }
 
 /// Techniques in the odd room: every pixel is lit by three probes and the sky.
@@ -239,6 +258,9 @@ void addReports(Runs& runs) {
       {"explain-coat", "explain odd --json --pixel 15,12"},
       {"explain-mirror", "explain mirror-hall --json --pixel 24,13 --set probes.hall.faceSize=32"},
       {"explain-windows", "explain windows --json --pixel 25,20 --technique footprint4 --set probes.room.faceSize=32"},
+      {"explain-box-text", "explain odd --pixel 21,20"},
+      {"explain-glass-text", "explain odd --pixel 26,12 --camera low"},
+      {"explain-mirror-text", "explain mirror-hall --pixel 24,13 --set probes.hall.faceSize=32"},
       {"frame-odd", "info odd --frame --json --size 48x27"},
       {"frame-mirror-hall", "info mirror-hall --frame --json --size 48x27 --set probes.hall.faceSize=32"},
   };

@@ -1,0 +1,147 @@
+// What each entry of the menus is called, when it can be chosen, and what it does, entry by entry, against
+// menu_values.txt. After a change that is wanted, BOXPROBE_WRITE_MENU_VALUES=1 writes the file anew.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMenu>
+#include <QMenuBar>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "filters/io/scene/scene_file.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Entry {
+  std::string path;
+  QAction* action = nullptr;
+};
+
+class MenuValuesTest : public WindowTest {
+ protected:
+  LoadedScene scene() const override {
+    return smallBuilding({"probes.room.origin=[0.1,1.7,-0.4]", "probes.room.rotationDegrees=[3,17,-5]",
+                          "sky.rotationDegrees=12", "exposure=1.3"});
+  }
+
+  static void addEntries(const QList<QAction*>& actions, const std::string& path, std::vector<Entry>& entries) {
+    for (QAction* action : actions) {
+      if (action->isSeparator()) continue;
+      const std::string own = path + action->text().remove('&').toStdString();
+      entries.push_back({own, action});
+      if (action->menu() != nullptr) addEntries(action->menu()->actions(), own + " > ", entries);
+    }
+  }
+
+  std::vector<Entry> entries() {
+    std::vector<Entry> all;
+    addEntries(window_->menuBar()->actions(), "", all);
+    return all;
+  }
+
+  static std::string stateOf(const QAction& action) {
+    return std::string(action.isEnabled() ? "" : "grey ") + (action.isVisible() ? "" : "hidden ") +
+           (action.isCheckable() ? action.isChecked() ? "on" : "off" : "");
+  }
+
+  /// What can be told apart of the window: the scene, the camera, entries, widgets that have a name.
+  std::map<std::string, std::string> state() {
+    std::map<std::string, std::string> all;
+    const Json scene = Json::parse(sceneText(document().scene(), std::string(BOXPROBE_DATA_DIR) + "/scenes")).flatten();
+    for (const auto& [path, value] : scene.items()) all["scene " + path] = value.dump();
+    const Camera camera = window_->renderer().currentCamera();
+    char text[200];
+    std::snprintf(text, sizeof text, "%.3f %.3f %.3f to %.3f %.3f %.3f", camera.position.x, camera.position.y,
+                  camera.position.z, camera.target.x, camera.target.y, camera.target.z);
+    all["camera"] = text;
+    for (const Entry& entry : entries()) all["entry " + entry.path] = stateOf(*entry.action);
+    for (const QWidget* widget : window_->findChildren<QWidget*>()) {
+      const std::string name = widget->objectName().toStdString();
+      if (!name.empty() && name.rfind("qt_", 0) != 0)
+        all["widget " + name] += widget->isVisible() ? "shown " : "hidden ";
+    }
+    return all;
+  }
+
+  static std::string differing(const std::map<std::string, std::string>& before,
+                               const std::map<std::string, std::string>& after) {
+    std::string text;
+    for (const auto& [name, value] : after) {
+      const auto was = before.find(name);
+      if (was == before.end()) {
+        text += "; " + name + " is " + value;
+      } else if (was->second != value) {
+        text += "; " + name + " " + was->second + " -> " + value;
+      }
+    }
+    for (const auto& [name, value] : before) {
+      if (after.count(name) == 0) text += "; " + name + " is gone";
+    }
+    return text.empty() ? " nothing" : text.substr(1);
+  }
+
+  static void turn() {
+    for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  }
+
+  /// Opens a dialog, ends the window, goes on by itself, or is a matter of the desktop.
+  static bool leftOut(const std::string& path) {
+    for (const char* part :
+         {"...", "Quit", "about", "Fit", "Place", "Bake", "Theme", "Language", "Compare", "Projector", "Keys", "Paste",
+          "Copy", "Open recent", "Reload", "Save", "Expose auto", "Cancel", "History"}) {
+      if (path.find(part) != std::string::npos) return true;
+    }
+    return false;
+  }
+};
+
+TEST_F(MenuValuesTest, EachEntryIsCalledAndDoesWhatItDid) {
+  std::vector<std::string> lines;
+  for (const Entry& entry : entries()) {
+    QStringList keys;
+    for (const QKeySequence& key : entry.action->shortcuts()) keys << key.toString(QKeySequence::PortableText);
+    lines.push_back("entry " + entry.path + " [" + keys.join(", ").toStdString() + "] " + stateOf(*entry.action) +
+                    " '" + entry.action->toolTip().toStdString() + "'");
+  }
+  turn();
+  for (const Entry& entry : entries()) {
+    QAction* action = entry.action;
+    if (action->menu() != nullptr || !action->isEnabled() || leftOut(entry.path)) continue;
+    QAction* const chosen = action->actionGroup() != nullptr ? action->actionGroup()->checkedAction() : nullptr;
+    const std::map<std::string, std::string> before = state();
+    action->trigger();
+    turn();
+    lines.push_back("do " + entry.path + ":" + differing(before, state()));
+    while (document().canUndo()) document().undo();
+    if (chosen != nullptr) {
+      chosen->trigger();
+    } else if (action->isCheckable()) {
+      action->trigger();
+    }
+    turn();
+    const std::string left = differing(before, state());
+    if (left != " nothing") lines.back() += " | and back:" + left;
+  }
+  const std::string path = std::string(BOXPROBE_SOURCE_DIR) + "/tests/gui/menu_values.txt";
+  if (std::getenv("BOXPROBE_WRITE_MENU_VALUES") != nullptr) {
+    std::ofstream file(path);
+    for (const std::string& line : lines) file << line << '\n';
+    return;
+  }
+  std::ifstream file(path);
+  std::vector<std::string> expected;
+  for (std::string line; std::getline(file, line);) expected.push_back(line);
+  EXPECT_EQ(lines, expected);
+}
+
+}  // namespace
+}  // namespace boxprobe
