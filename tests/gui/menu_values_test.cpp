@@ -4,9 +4,12 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
+#include <QTimer>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -14,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "filters/io/scene/scene_file.h"
+#include "filters/vtk/scene_renderer.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {
@@ -46,6 +50,13 @@ class MenuValuesTest : public WindowTest {
     std::vector<Entry> all;
     addEntries(window_->menuBar()->actions(), "", all);
     return all;
+  }
+
+  QAction* entryAt(const std::string& path) {
+    for (const Entry& entry : entries()) {
+      if (entry.path == path) return entry.action;
+    }
+    return nullptr;
   }
 
   static std::string stateOf(const QAction& action) {
@@ -105,6 +116,13 @@ class MenuValuesTest : public WindowTest {
 };
 
 TEST_F(MenuValuesTest, EachEntryIsCalledAndDoesWhatItDid) {
+  // A dialog ends what it was opened for, and is told.
+  bool asked = false;
+  QTimer dialogs;
+  QObject::connect(&dialogs, &QTimer::timeout, [&asked] {
+    if (QWidget* dialog = QApplication::activeModalWidget()) asked = dialog->close();
+  });
+  dialogs.start(50);
   std::vector<std::string> lines;
   for (const Entry& entry : entries()) {
     QStringList keys;
@@ -113,19 +131,24 @@ TEST_F(MenuValuesTest, EachEntryIsCalledAndDoesWhatItDid) {
                     " '" + entry.action->toolTip().toStdString() + "'");
   }
   turn();
-  for (const Entry& entry : entries()) {
-    QAction* action = entry.action;
-    if (action->menu() != nullptr || !action->isEnabled() || leftOut(entry.path)) continue;
-    QAction* const chosen = action->actionGroup() != nullptr ? action->actionGroup()->checkedAction() : nullptr;
+  std::vector<std::string> paths;
+  for (const Entry& entry : entries()) paths.push_back(entry.path);
+  for (const std::string& entryPath : paths) {
+    QAction* action = entryAt(entryPath);  // some menus are filled anew
+    if (action == nullptr || action->menu() != nullptr || !action->isEnabled() || leftOut(entryPath)) continue;
+    const QPointer<QAction> chosen =
+        action->actionGroup() != nullptr ? action->actionGroup()->checkedAction() : nullptr;
+    const bool isSwitch = action->isCheckable() && action->actionGroup() == nullptr;
     const std::map<std::string, std::string> before = state();
+    asked = false;
     action->trigger();
     turn();
-    lines.push_back("do " + entry.path + ":" + differing(before, state()));
+    lines.push_back("do " + entryPath + ":" + (asked ? " asks;" : "") + differing(before, state()));
     while (document().canUndo()) document().undo();
     if (chosen != nullptr) {
       chosen->trigger();
-    } else if (action->isCheckable()) {
-      action->trigger();
+    } else if (QAction* again = isSwitch ? entryAt(entryPath) : nullptr) {
+      again->trigger();
     }
     turn();
     const std::string left = differing(before, state());
