@@ -189,7 +189,7 @@ SUBJECTS = [
     ("app/gui/edit/", ["panel_values_test", "editor_test", "rest_test", "gui_test:Several*:ValueField*:Probe*:Exposure*:BackgroundWork*:Outliner*"]),
     ("app/gui/formula/", ["formula_test", "painted_test"]),
     ("app/gui/view/rest", ["rest_test"]),
-    ("app/gui/view/", ["painted_test", "panel_values_test", "rest_test",
+    ("app/gui/view/", ["painted_test", "menu_values_test", "panel_values_test", "rest_test",
                        "gui_test:Camera*:Animation*:Exposure*:*Compar*:*Preview*:Gestures*:SelectHere*:Import*:Picture*:TracedLight*:"
                        "DebugView*:View*:Sky*"]),
     ("app/gui/widgets/", ["painted_test", "panel_values_test", "gui_geometry_test",
@@ -201,7 +201,7 @@ SUBJECTS = [
     ("app/gui/panels/outliner", ["editor_test", "gui_test:Outliner*:Panel*:Several*"]),
     ("app/gui/panels/", ["painted_test", "panel_values_test",
                          "gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*:Picture*:Technique*:Cheap*"]),
-    ("app/gui/window/", ["panel_values_test",
+    ("app/gui/window/", ["menu_values_test", "panel_values_test",
                          "gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*:Camera*:Import*:Inspectors*:Welcome*:Exposure*:Fit*:Place*:"
                          "Probe*:Empty*:Own*",
                          "live_link_test", "language_test"]),
