@@ -381,7 +381,8 @@ def run(command, seconds, variables=None):
     shutil.rmtree(SCRATCH, ignore_errors=True)  # what an ended test left
     os.makedirs(SCRATCH)
     environment = dict(os.environ, GALLIVM_PERF="nopt", LP_NATIVE_VECTOR_WIDTH="128", GTEST_FAIL_FAST="1", TMPDIR=SCRATCH,
-                       CCACHE_SLOPPINESS="pch_defines,time_macros", **(variables or {}))
+                       CCACHE_SLOPPINESS="pch_defines,time_macros")
+    environment.update(variables or {})
     status = "hung"
     with open(os.path.join(BUILD, "last-output.txt"), "w", encoding="utf-8") as output:
         process = subprocess.Popen(command, cwd=ROOT, stdout=output, stderr=subprocess.STDOUT, env=environment,
