@@ -22,7 +22,6 @@ void addPlain(Runs& runs) {
       {"info-mirror-hall-text", "info mirror-hall"},
       {"info-flat-text", "info flat"},
       {"fit-odd", "fit odd --json"},
-      {"fit-odd-text", "fit odd --yaw keep"},
       {"fit-odd-origin", "fit odd --json --origin propose --yaw keep"},
       {"fit-odd-faces", "fit odd --json --probe a --faces +x,-z --yaw keep"},
       {"fit-turned", "fit odd --json --probe c --set probes.c.rotationDegrees=[0,37,0] --origin propose"},
@@ -48,10 +47,12 @@ void addPlain(Runs& runs) {
       {"bake-slurm", "bake building --emit slurm --shards 2"},
       {"bake-make", "bake odd --emit make"},
   };
-  for (const auto& [name, command] : rows) runs.push_back({name, command, "", false});
+  // Placing compares pictures.
+  for (const auto& [name, command] : rows)
+    runs.push_back({name, command, "", std::string(command).rfind("place", 0) == 0});
   // Scene files that are written.
   runs.push_back({"fit-written", "fit odd --origin propose", "fitted.boxprobe.json", false});
-  runs.push_back({"place-written", "place halls --keep", "placed.boxprobe.json", false});
+  runs.push_back({"place-written", "place halls --keep", "placed.boxprobe.json", true});
   const Rows references = {
       {"reference-scene", "render odd --technique reference-scene --rays 24"},
       {"reference-scene-full", "render odd --technique reference-scene --rays 8 --camera low --full"},
