@@ -76,7 +76,9 @@ TEST(LampFree, ALampBecomesWhatIsAroundIt) {
 
 TEST(LampFree, WhatHidesALampStays) {
   const CubeMap capture = cubeOf(32, lit);
-  const CubeMap near = cubeOf(32, [](const vec3& d) { return vec4(onLamp(d) ? 1.2f : 2.0f * glm::length(d)); });
+  // As captures have it: the distance in x alone.
+  const CubeMap near =
+      cubeOf(32, [](const vec3& d) { return vec4(onLamp(d) ? 1.2f : 2.0f * glm::length(d), 0.0f, 0.0f, 1.0f); });
   EXPECT_EQ(brightest(withoutLamps(capture, near, {squareLamp()})), 300.0f);  // something bright at 1.2 m before it
   const CubeMap far = cubeOf(32, [](const vec3& d) { return vec4(onLamp(d) ? 2.0f * glm::length(d) / d.x : 2.5f); });
   EXPECT_LT(brightest(withoutLamps(capture, far, {squareLamp()})), 0.3f);
