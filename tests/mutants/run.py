@@ -219,7 +219,6 @@ SUBJECTS = [
     ("app/lessons/", ["lesson_file_test", "page_policy_test", "cli_test:Lessons*", "lessons_test"]),
     ("app/", ["baseline_test", "cli_test"]),
 ]
-NO_VERDICT = ("does not compile", "too much to build")
 FOLDERS = ["shaders", "filters/math", "filters/core", "filters/fit", "filters/io", "filters/explain",
            "filters/reference", "filters/vtk", "app"]
 
@@ -423,12 +422,6 @@ def build(targets, seconds=1800):
     return what == "ok"
 
 
-def steps(targets):
-    """How much a build would do."""
-    said = subprocess.run(["ninja", "-C", BUILD, "-n", *targets], capture_output=True, text=True).stdout
-    return len(re.findall(r"^\[\d+/\d+\]", said, re.MULTILINE))
-
-
 def shader_refused():
     """Whether the driver's compiler refused a shader in the last run: that is a fault which does not compile."""
     with open(os.path.join(BUILD, "last-output.txt"), encoding="utf-8", errors="replace") as stream:
@@ -489,8 +482,7 @@ def tests_of(path):
 class Tests:
     """The tests of subjects, in the order of the table; none gets longer than ten times what it takes by itself."""
 
-    def __init__(self, most_steps):
-        self.most_steps = most_steps
+    def __init__(self):
         self.seconds = {}  # of those that pass without any fault planted; None: not built, or it fails by itself
         self.built = set()
         self.quick = quick_variables()
@@ -521,8 +513,6 @@ class Tests:
         first time is run again without."""
         start = time.time()
         plant()
-        if self.most_steps and steps(sorted({t.partition(":")[0] for t in tests})) > self.most_steps:
-            return "too much to build", time.time() - start
         for test in tests:
             known = self.seconds.get(test)
             if test in self.seconds and known is None:
@@ -586,7 +576,7 @@ def campaign(arguments, tests, log):
     order = []
     for prefix in prefixes:
         order.append(drawn(prefix, 4 * share, chance))
-    counts = {p: {"noticed": 0, "survived": 0, "invisible": 0, "does not compile": 0, "too much to build": 0} for p in prefixes}
+    counts = {p: {"noticed": 0, "survived": 0, "invisible": 0, "does not compile": 0, "header": 0} for p in prefixes}
     done = 0
     for turn in range(4 * share):
         for prefix, changes in zip(prefixes, order):
@@ -604,24 +594,27 @@ def campaign(arguments, tests, log):
                 continue
             if verdict := before.get((path, number + 1, old.strip(), new.strip())):
                 counts[prefix][verdict] += 1
-                done += verdict not in NO_VERDICT
+                done += verdict != "does not compile"
+                continue
+            if arguments.no_headers and path.endswith(".h"):
+                counts[prefix]["header"] += 1
                 continue
             tests.prepare(tests_of(path))
             try:
                 found, seconds = tests.notice(tests_of(path), lambda: Planted(path, old, new, number))
             finally:
                 put_back()
-            verdict = "survived" if found is None else found if found in NO_VERDICT else "noticed"
+            verdict = "survived" if found is None else found if found == "does not compile" else "noticed"
             counts[prefix][verdict] += 1
             entry.update(verdict=verdict, by=found, seconds=round(seconds, 1), seed=arguments.seed, commit=commit)
             log.write(json.dumps(entry) + "\n")
             log.flush()
             print(f"{verdict:17} {path}:{number + 1} {kind}: {old.strip()}  ->  {new.strip()}"
                   f"{'  [' + found + ']' if verdict == 'noticed' else ''} {seconds:.0f} s", flush=True)
-            done += verdict not in NO_VERDICT
+            done += verdict != "does not compile"
     if arguments.list:
         return 0
-    print(f"\n{'folder':20} noticed survived invisible  not compiled  not built")
+    print(f"\n{'folder':20} noticed survived invisible  not compiled  headers")
     for prefix, c in counts.items():
         print(f"{prefix:20} {c['noticed']:7} {c['survived']:8} {c['invisible']:9} {c['does not compile']:13} {c['too much to build']:10}")
     noticed = sum(c["noticed"] for c in counts.values())
@@ -641,7 +634,7 @@ def replay(path, tests, log):
             found, seconds = tests.notice(chosen, lambda: Planted(fault["file"], fault["old"], fault["new"]))
         finally:
             put_back()
-        missed += found is None or found in NO_VERDICT
+        missed += found is None or found == "does not compile"
         log.write(json.dumps(dict(fault, by=found, seconds=round(seconds, 1))) + "\n")
         print(f"{'NOT NOTICED' if found is None else found:45} {fault['what']} {seconds:.0f} s", flush=True)
     print(f"{len(faults) - missed} of {len(faults)} noticed")
@@ -654,7 +647,7 @@ def main():
     parser.add_argument("--count", type=int, default=20, help="how many that compile")
     parser.add_argument("--only", action="append", help="only below this folder (repeatable)")
     parser.add_argument("--list", action="store_true", help="print what would be planted, and nothing more")
-    parser.add_argument("--most-steps", type=int, default=0, help="leave out faults for which more is built, as those in headers; 0: none")
+    parser.add_argument("--no-headers", action="store_true", help="leave out faults in headers: what includes one takes long to build")
     parser.add_argument("--replay", metavar="FILE", help="plant the faults of this list in place of random ones")
     arguments = parser.parse_args()
 
@@ -674,7 +667,7 @@ def main():
         signal.signal(number, lambda *_: sys.exit(1))  # by way of every `with`
     if not arguments.list:
         configure()
-    tests = None if arguments.list else Tests(arguments.most_steps)
+    tests = None if arguments.list else Tests()
     with open(os.path.join(BUILD, "log.jsonl"), "a", encoding="utf-8") as log:
         try:
             return replay(arguments.replay, tests, log) if arguments.replay else campaign(arguments, tests, log)
