@@ -206,6 +206,7 @@ SUBJECTS = [
                           "gui_test:ValueField*:Panel*:Probe*:Window*:Welcome*:Accessible*:Outliner*:File*:Inspectors*", "language_test"]),
     ("app/gui/lessons/", ["painted_test", "lesson_test", "gui_test:LessonList*", "cli_test:Lessons*", "lesson_walk_test"]),
     ("app/gui/window/lessons_command", ["cli_test:Lessons*"]),
+    ("app/gui/window/window_signals", ["cli_test:Interrupt*", "gui_test:Recovery*:LeftBehind*"]),
     ("app/gui/window/live_link", ["live_link_test"]),
     ("app/gui/window/language", ["language_test"]),
     ("app/gui/panels/outliner", ["editor_test", "gui_test:Outliner*:Panel*:Several*"]),

@@ -333,6 +333,9 @@ TEST_F(CubeFile, WhatIsNoCubeIsToldInOneLine) {
                 "6:1 or 1:6 strip, a 4:3 or 3:4 cross, or six square files");
   EXPECT_EQ(errorText([&] { loadCube(file("odd.exr"), CubeLayout::LatLong); }),
             file("odd.exr") + ": is 50 x 37 pixels; a latitude-longitude map is twice as wide as high");
+  saveRadiance(file("odd.hdr"), blank(50, 37));
+  EXPECT_EQ(errorText([&] { loadCube(file("odd.hdr"), CubeLayout::LatLong); }),
+            file("odd.hdr") + ": is 50 x 37 pixels; a latitude-longitude map is twice as wide as high");
   EXPECT_NE(errorText([&] { loadCube(file("odd.exr"), CubeLayout::Strip); }).find("six times"), std::string::npos);
   EXPECT_NE(errorText([&] { loadCube(file("odd.exr"), CubeLayout::Cross); }).find("4:3"), std::string::npos);
   Imf::Header wrong(64, 64);
