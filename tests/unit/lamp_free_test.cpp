@@ -112,6 +112,12 @@ TEST(LampFree, DegenerateLampsAreTaken) {
   for (vec3& corner : through.corners) corner.x = 0.0f;  // the origin lies in it
   through.bothSides = true;
   EXPECT_EQ(brightest(withoutLamps(capture, CubeMap(), {none, through})), 7.0f);
+  // One of the points by which its background is found is the origin itself, which has no direction.
+  LampPolygon about;
+  about.count = 4;
+  const vec3 corners[4] = {{0, 1, 0}, {0, 0, 1}, {0, -2, -1}, {0, 0, -1}};
+  std::copy(std::begin(corners), std::end(corners), about.corners.begin());
+  EXPECT_EQ(lampBackgrounds(capture, {about}).at(0), vec3(7.0f));
 }
 
 TEST(LampFree, AShapeGivesWhatItAddsToItsPlace) {
