@@ -199,6 +199,7 @@ SUBJECTS = [
     ("app/gui/edit/", ["panel_values_test", "editor_test", "rest_test", "gui_test:Several*:ValueField*:Probe*:Exposure*:BackgroundWork*:Outliner*"]),
     ("app/gui/formula/", ["formula_test", "painted_test"]),
     ("app/gui/view/rest", ["rest_test"]),
+    ("app/gui/view/viewport", ["lost_context_test", "gui_test:Camera*:Drag*:Handle*"]),
     ("app/gui/view/", ["painted_test", "menu_values_test", "panel_values_test", "rest_test",
                        "gui_test:Camera*:Animation*:Exposure*:*Compar*:*Preview*:Gestures*:SelectHere*:Import*:Picture*:TracedLight*:"
                        "DebugView*:View*:Sky*"]),

@@ -163,6 +163,8 @@ TEST(ExplanationText, SaysWhatIsUndefinedAndWhy) {
   ExplainedRoom uncaptured;
   uncaptured.captured = false;
   EXPECT_THAT(lineOf(explanationText(uncaptured.explain()), "fetch"), HasSubstr("not captured yet"));
+  uncaptured.probe.technique = "impostor";  // which looks for the distances of what is not there
+  EXPECT_THAT(lineOf(explanationText(uncaptured.explain()), "fetch"), HasSubstr("not captured yet"));
 }
 
 TEST(ExplanationText, NamesOfFilesStayOnTheirLine) {
