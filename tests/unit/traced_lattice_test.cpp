@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <optional>
 #include <random>
 #include <utility>
@@ -466,6 +468,65 @@ TEST(TracedLattice, NodesBehindTheWallOfARoundRoomAreNotItsLight) {
   EXPECT_LT(20 * inside, count) << "nothing is judged";
   EXPECT_GT(least, 0.95f);
   EXPECT_LT(most, 1.05f);
+}
+
+// A lattice is kept while what it was traced from is the same, whichever copy of it.
+TEST(TracedLattice, SurroundingsAreTheSameByWhatTheyHold) {
+  const auto room = std::make_shared<const Room>();
+  const auto lampsOf = [](double red) {
+    SceneLamps lamps;
+    for (const double x : {0.1, 0.7}) {
+      SceneLamp lamp;
+      lamp.corners = {{x, 1.0, 0.2}, {x + 0.3, 1.0, 0.2}, {x, 1.0, 0.6}};
+      lamp.radiance = {x > 0.5 ? red : 2.0, 3.0, 4.0};
+      lamps.lamps.push_back(lamp);
+    }
+    return std::make_shared<const SceneLamps>(lamps);
+  };
+  const auto lightsOf = [](float intensity) {
+    Light light;
+    light.position = {0.3, 0.5, 0.7};
+    light.intensity = intensity;
+    return std::make_shared<const std::vector<Light>>(1, light);
+  };
+  const auto made = [&] {
+    LatticeSurroundings in;
+    in.lines = room;
+    in.originWorld = {0.1, 0.2, 0.3};
+    in.lamps = lampsOf(5.0);
+    in.drawn = {1};
+    in.lights = lightsOf(7.0f);
+    return in;
+  };
+  const LatticeSurroundings in = made();
+  EXPECT_TRUE(in == made()) << "copies of the lamps and of the lights";
+  const std::vector<std::pair<const char*, std::function<void(LatticeSurroundings&)>>> changes = {
+      {"another room", [](auto& o) { o.lines = std::make_shared<const Room>(); }},
+      {"the origin", [](auto& o) { o.originWorld.y = 0.25; }},
+      {"the probe's turn", [](auto& o) { o.worldFromProbe[0][2] = 0.1; }},
+      {"the map's turn", [](auto& o) { o.mapFromProbe[1][0] = 0.1; }},
+      {"a lamp's colour", [&](auto& o) { o.lamps = lampsOf(5.5); }},
+      {"which lamp is drawn", [](auto& o) { o.drawn = {0}; }},
+      {"how many lamps are drawn",
+       [](auto& o) {
+         o.drawn = {0, 1};
+       }},
+      {"a light's intensity", [&](auto& o) { o.lights = lightsOf(7.5f); }},
+      {"no lights", [](auto& o) { o.lights = nullptr; }},
+      {"a sky", [](auto& o) { o.sky = std::make_shared<const CubeMap>(4, 1); }},
+      {"a capture without sky", [](auto& o) { o.open = true; }},
+  };
+  for (const auto& [name, change] : changes) {
+    LatticeSurroundings other = made();
+    change(other);
+    EXPECT_FALSE(in == other) << name;
+    EXPECT_FALSE(other == in) << name;
+  }
+  LatticeSurroundings notDrawn = made();
+  notDrawn.drawn = {0};
+  LatticeSurroundings unseen = notDrawn;
+  unseen.lamps = lampsOf(5.5);
+  EXPECT_TRUE(notDrawn == unseen) << "the lamp that changed is none of those drawn";
 }
 
 }  // namespace
