@@ -48,6 +48,17 @@ TEST(Interrupt, LeavesNoFile) {
   }
 }
 
+// Between the frames of a mean: of so many that it would take a day.
+TEST(Interrupt, StopsBetweenFrames) {
+  const TemporaryFolder folder;
+  RunningProgram program({"render", demoScene("room"), "-o", folder.path("mean.exr"), "--size", "32x18", "--frames",
+                          "1000000", "--technique", "raytraced", "--set",
+                          "probes.room.parameters={\"animated\":true,\"samples\":2}", "--set",
+                          "probes.room.faceSize=16"});
+  expectStopped(program, SIGINT, std::chrono::milliseconds(6000));
+  EXPECT_THAT(folder.names(), SizeIs(0));
+}
+
 TEST(Interrupt, LeavesTheFileThatWasThere) {
   const TemporaryFolder folder;
   folder.write("out.png", "an older picture");

@@ -167,6 +167,21 @@ TEST(ExplanationText, SaysWhatIsUndefinedAndWhy) {
   EXPECT_THAT(lineOf(explanationText(uncaptured.explain()), "fetch"), HasSubstr("not captured yet"));
 }
 
+TEST(ExplanationText, AProbeThatKnowsNoShadowsShadowsNoLight) {
+  const ExplainedRoom room;
+  ExplainInput input;
+  input.surface = room.surface;
+  input.probes.push_back({room.probe.name, 0, 0, probeGeometry(room.probe, room.probe.origin), &room.maps});
+  Light light;
+  light.position = {0.3, 2.1, -0.4};
+  light.intensity = 17.0f;
+  input.lights = {light};
+  const glm::vec3 alone = explainPixel(input).direct;
+  EXPECT_GT(alone.x, 0.01f);
+  input.sightLights = {0};  // another probe's box has places that do not see it
+  EXPECT_EQ(explainPixel(input).direct, alone);
+}
+
 TEST(ExplanationText, NamesOfFilesStayOnTheirLine) {
   ExplainedRoom room;
   room.surface.object = "two\nlines";
