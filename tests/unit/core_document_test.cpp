@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/scene/document.h"
@@ -64,6 +66,29 @@ TEST_F(DocumentTest, CommittingAfterUndoDropsWhatCouldBeRedone) {
   EXPECT_EQ(face(), 2);
   document.undo();
   EXPECT_EQ(face(), 1);
+}
+
+// The history: from any step to any other, as by so many undos and redos.
+TEST_F(DocumentTest, GoesToAnyStepOfItsHistory) {
+  for (int x = 2; x <= 4; ++x) document.commit("to " + std::to_string(x), moveFace(x));
+  EXPECT_EQ(document.stepLabels(), (std::vector<std::string>{"to 2", "to 3", "to 4"}));
+  for (const std::size_t position : {1u, 3u, 0u, 2u, 0u, 3u, 1u}) {
+    document.goTo(position);
+    EXPECT_EQ(document.position(), position);
+    EXPECT_EQ(face(), 1.0 + static_cast<double>(position));
+    EXPECT_EQ(document.canUndo(), position > 0);
+    EXPECT_EQ(document.canRedo(), position < 3);
+  }
+  EXPECT_EQ(document.redoLabel(), "to 3");
+  document.goTo(99);
+  EXPECT_EQ(document.position(), 3u);
+  EXPECT_EQ(face(), 4);
+  document.preview(moveFace(9));
+  document.goTo(3);  // where it stands: the preview is cancelled
+  EXPECT_EQ(face(), 4);
+  document.goTo(0);
+  document.commit("anew", moveFace(7));
+  EXPECT_EQ(document.stepLabels(), std::vector<std::string>{"anew"});
 }
 
 TEST_F(DocumentTest, ADragOfManyPreviewsIsOneStep) {

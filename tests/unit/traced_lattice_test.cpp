@@ -12,6 +12,7 @@
 #include <optional>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace {
 
