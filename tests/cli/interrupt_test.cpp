@@ -48,11 +48,11 @@ TEST(Interrupt, LeavesNoFile) {
   }
 }
 
-// Between the frames of a mean: of so many that it would take a day.
+// Between the frames of a mean: of so many that it would take hours.
 TEST(Interrupt, StopsBetweenFrames) {
   const TemporaryFolder folder;
   RunningProgram program({"render", demoScene("room"), "-o", folder.path("mean.exr"), "--size", "32x18", "--frames",
-                          "1000000", "--technique", "raytraced", "--set",
+                          "100000", "--technique", "raytraced", "--set",
                           "probes.room.parameters={\"animated\":true,\"samples\":2}", "--set",
                           "probes.room.faceSize=16"});
   expectStopped(program, SIGINT, std::chrono::milliseconds(6000));

@@ -475,6 +475,7 @@ TEST(Path, ATextureOfOneColourIsAFactor) {
    [](Material& m) {
      m.metallic = 0.0f;
      m.ior = 2.1f;
+     m.baseColor = {0.05f, 0.1f, 0.07f, 1.0f};
    },
    [](Material& m) -> auto& {return m.finish.specularTexture;
 }
@@ -484,6 +485,7 @@ TEST(Path, ATextureOfOneColourIsAFactor) {
    [](Material& m) {
      m.metallic = 0.0f;
      m.ior = 2.1f;
+     m.baseColor = {0.05f, 0.1f, 0.07f, 1.0f};
      m.finish.specularTint = {0.9f, 0.7f, 0.8f};
    },
    [](Material& m) -> auto& {return m.finish.specularColorTexture;
