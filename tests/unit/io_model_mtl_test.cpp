@@ -204,6 +204,10 @@ TEST_F(MtlFile, NormalsAndHeights) {
     EXPECT_FLOAT_EQ(m.normalScale, 0.5f) << key;
     EXPECT_FALSE(loaded.meshes.at(0).tangents.empty()) << "normal maps need tangents";
   }
+  // Almost all of a usual normal map points straight out: red and green are alike there, and blue is not.
+  const std::vector<std::uint8_t> flat = {128, 128, 255, 255, 133, 129, 250, 255};
+  picture("flat.png", 2, flat);
+  EXPECT_EQ(material("bump flat.png\n").normalTexture.image->pixels, flat);
   // A slope that rises by 20 of 255 from texel to texel, to the right; the row below is 10 higher.
   greyPicture("height.png", 4, {0, 20, 40, 60, 10, 30, 50, 70, 20, 40, 60, 80, 30, 50, 70, 90});
   const Material m = material("bump -bm 2 height.png\n");
