@@ -111,6 +111,7 @@ SUBJECTS = [
     ("filters/io/image/", ["io_test", "environment_test", "files_test", "cube_file_test", "baseline_test:*info*:*bake*:*export*:*sky*:*reference*",
                            "gltf_picture_test",
                            "environment_drawn_test", "cli_test:Bad*"]),
+    ("filters/io/gltf/glb_", ["glb_probes_test", "io_test", "files_test", "cli_test:Bad*:Export*"]),
     ("filters/io/scene/lesson", ["lesson_file_test", "cli_test:Lessons*", "lesson_test"]),
     ("filters/io/scene/pareto", ["bench_test", "frame_report_test", "bench_cli_test", "baseline_test"]),
     ("filters/io/scene/", ["io_test", "files_test", "core_test", "baseline_test:*info*:*fit*:*place*:*reference*", "cli_test:Bad*:Info*:Fit*"]),
