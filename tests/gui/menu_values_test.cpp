@@ -72,7 +72,7 @@ class MenuValuesTest : public WindowTest {
     const Json scene = Json::parse(sceneText(document().scene(), std::string(BOXPROBE_DATA_DIR) + "/scenes")).flatten();
     for (const auto& [path, value] : scene.items()) all["scene " + path] = value.dump();
     const Camera camera = window_->renderer().currentCamera();
-    char text[200];
+    char text[400];
     std::snprintf(text, sizeof text, "%.3f %.3f %.3f to %.3f %.3f %.3f", camera.position.x, camera.position.y,
                   camera.position.z, camera.target.x, camera.target.y, camera.target.z);
     all["camera"] = text;

@@ -303,7 +303,7 @@ std::string linesOf(const QImage& image) {
         }
       }
       for (const int channel : sum) {
-        char digits[4];
+        char digits[16];
         std::snprintf(digits, sizeof digits, "%02x", channel / ((right - left) * (bottom - top)));
         text += digits;
       }
