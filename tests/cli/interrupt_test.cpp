@@ -48,7 +48,7 @@ TEST(Interrupt, LeavesNoFile) {
   }
 }
 
-// Between the frames of a mean: of so many that it would take hours.
+// Between the frames of a mean, which are so many that all of them take minutes.
 TEST(Interrupt, StopsBetweenFrames) {
   const TemporaryFolder folder;
   RunningProgram program({"render", demoScene("room"), "-o", folder.path("mean.exr"), "--size", "32x18", "--frames",
@@ -56,7 +56,7 @@ TEST(Interrupt, StopsBetweenFrames) {
                           "probes.room.parameters={\"animated\":true,\"samples\":2}", "--set",
                           "probes.room.faceSize=16"});
   ASSERT_TRUE(program.waitUntilHandling(SIGINT));
-  std::this_thread::sleep_for(std::chrono::milliseconds(6000));  // no matter whether the captures are done by then
+  std::this_thread::sleep_for(std::chrono::milliseconds(6000));  // captures or frames: both are short
   ASSERT_TRUE(program.sendAtWork(SIGINT));
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.exitStatus, 1) << "in no step that takes long: " << outcome.err;

@@ -1,5 +1,5 @@
-// What the window paints by itself, against painted.txt: icons, marks, drawings of rays, curves, sheets. A picture is
-// kept as the mean colours of 24 x 24 cells. After a change that is wanted, BOXPROBE_WRITE_PAINTED=1 writes the file
+// What the window paints itself, against painted.txt: icons, marks, drawings of rays, curves, lesson sheets. A picture
+// is kept as the mean colours of 24 x 24 cells. After a change that is wanted, BOXPROBE_WRITE_PAINTED=1 writes the file
 // anew; look at the pictures first, BOXPROBE_TEST_OUTPUT names a folder for them.
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -290,7 +290,7 @@ void addLessons(std::map<std::string, QImage>& pictures, std::string& svg) {
   pictures["sheet of three"] = lessonSheet(lesson, taken);
 }
 
-/// "width height" and the cells' means, two digits a channel.
+/// Width, height, and the mean colour of each cell, two hexadecimal digits a channel.
 std::string linesOf(const QImage& image) {
   const QImage colors = image.convertToFormat(QImage::Format_RGB32);
   std::string text = std::to_string(image.width()) + " " + std::to_string(image.height()) + " ";
@@ -332,7 +332,7 @@ int differing(const std::string& now, const std::string& before) {
   return count;
 }
 
-/// Letters that are of another width are other fonts, and so are all pictures with words.
+/// With other fonts letters have other widths, and pictures with words differ.
 std::string fontsNow() {
   const QFontMetrics own(QFont("DejaVu Sans", 9)), window(QApplication::font());
   const QString words = "A ray leaves at 0.123, \xce\xb8";

@@ -6,12 +6,11 @@
 #include <QComboBox>
 #include <QLabel>
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/widgets/value_field.h"
 #include "filters/io/scene/scene_file.h"
+#include "tests/gui/kept_lines.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {
@@ -154,16 +153,7 @@ TEST_F(PanelValuesTest, EachControlShowsAndSetsWhatItStandsFor) {
   readLabels(lines);
   tryFields(lines);
   tryChoices(lines);
-  const std::string path = std::string(BOXPROBE_SOURCE_DIR) + "/tests/gui/panel_values.txt";
-  if (std::getenv("BOXPROBE_WRITE_PANEL_VALUES") != nullptr) {
-    std::ofstream file(path);
-    for (const std::string& line : lines) file << line << '\n';
-    return;
-  }
-  std::ifstream file(path);
-  std::vector<std::string> expected;
-  for (std::string line; std::getline(file, line);) expected.push_back(line);
-  EXPECT_EQ(lines, expected);
+  expectKeptLines("panel_values.txt", "BOXPROBE_WRITE_PANEL_VALUES", lines);
 }
 
 }  // namespace

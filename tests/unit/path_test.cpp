@@ -408,151 +408,126 @@ TEST(Path, NoMaterialMakesLight) {
   }
 }
 
-// Of one colour a texture is what its channels make of the factor: the same light, for every texture that a material
-// has.
+// A texture of one colour multiplies its factor by the channels that glTF names. So it gives the same light as that
+// product without a texture: for every texture of a material.
 TEST(Path, ATextureOfOneColourIsAFactor) {
   const auto image = std::make_shared<ImageRgba8>();
   image->width = image->height = 1;
-  image->pixels = {51, 102, 153, 204};
+  image->pixels = {51, 102, 153, 204};  // 0.2, 0.4, 0.6, 0.8
   const auto linear = [](float srgb) { return std::pow((srgb + 0.055f) / 1.055f, 2.4f); };
   const glm::vec3 colors(linear(0.2f), linear(0.4f), linear(0.6f));
   struct Row {
     const char* name;
     std::function<void(Material&)> make;
-    std::function<TextureUse&(Material&)> texture;
+    std::function<TextureUse*(Material&)> texture;
     std::function<void(Material&, const glm::vec3&)> multiply;
   };
   const std::vector<Row> rows = {
-      {"base colour", [](Material& m) { m.metallic = 0.1f; }, [](Material & m) -> auto& {return m.baseColorTexture;
-}
-, [](Material& m, const glm::vec3& c) { m.baseColor *= glm::vec4(c, 0.8f); }
-}  // namespace
-, {"metallic and roughness", [](Material&) {}, [](Material& m) -> auto& {return m.metallicRoughnessTexture;
-}  // namespace boxprobe
-, [](Material& m, const glm::vec3&) {
-  m.roughness *= 0.4f;
-  m.metallic *= 0.6f;
-}
-}
-, {"emissive", [](Material& m) { m.emissive = {0.3f, 0.7f, 0.5f}; }, [](Material& m) -> auto& {return m.emissiveTexture;
-}
-, [](Material& m, const glm::vec3& c) { m.emissive *= c; }
-}
-, {"coat", [](Material& m) { m.coat = 0.9f; }, [](Material& m) -> auto& {return m.coatTexture;
-}
-, [](Material& m, const glm::vec3&) { m.coat *= 0.2f; }
-}
-, {"coat's roughness",
-   [](Material& m) {
-     m.coat = 1.0f;
-     m.coatRoughness = 0.9f;
-   },
-   [](Material& m) -> auto& {return m.coatRoughnessTexture;
-}
-, [](Material& m, const glm::vec3&) { m.coatRoughness *= 0.4f; }
-}
-, {"sheen",
-   [](Material& m) {
-     m.metallic = 0.0f;
-     m.finish.sheenColor = {0.9f, 0.6f, 0.8f};
-     m.finish.sheenRoughness = 0.7f;
-   },
-   [](Material& m) -> auto& {return m.finish.sheenColorTexture;
-}
-, [](Material& m, const glm::vec3& c) { m.finish.sheenColor *= c; }
-}
-, {"sheen's roughness",
-   [](Material& m) {
-     m.metallic = 0.0f;
-     m.finish.sheenColor = glm::vec3(1.0f);
-     m.finish.sheenRoughness = 0.9f;
-   },
-   [](Material& m) -> auto& {return m.finish.sheenRoughnessTexture;
-}
-, [](Material& m, const glm::vec3&) { m.finish.sheenRoughness *= 0.8f; }
-}
-, {"specular",
-   [](Material& m) {
-     m.metallic = 0.0f;
-     m.ior = 2.1f;
-     m.baseColor = {0.05f, 0.1f, 0.07f, 1.0f};
-   },
-   [](Material& m) -> auto& {return m.finish.specularTexture;
-}
-, [](Material& m, const glm::vec3&) { m.specular *= 0.8f; }
-}
-, {"specular's colour",
-   [](Material& m) {
-     m.metallic = 0.0f;
-     m.ior = 2.1f;
-     m.baseColor = {0.05f, 0.1f, 0.07f, 1.0f};
-     m.finish.specularTint = {0.9f, 0.7f, 0.8f};
-   },
-   [](Material& m) -> auto& {return m.finish.specularColorTexture;
-}
-, [](Material& m, const glm::vec3& c) { m.finish.specularTint *= c; }
-}
-, {"transmission",
-   [](Material& m) {
-     m.metallic = 0.0f;
-     m.transmission = 0.9f;
-   },
-   [](Material& m) -> auto& {return m.transmissionTexture;
-}
-, [](Material& m, const glm::vec3&) { m.transmission *= 0.2f; }
-}
-, {"anisotropy",
-   [](Material& m) {
-     m.finish.anisotropy = 0.9f;
-     m.finish.anisotropyRotation = 0.3f;
-   },
-   [](Material& m) -> auto& {return m.finish.anisotropyTexture;
-}
-, [](Material& m, const glm::vec3&) {
-  m.finish.anisotropy *= 0.6f;
-  m.finish.anisotropyRotation += std::atan2(2.0f * 0.4f - 1.0f, 2.0f * 0.2f - 1.0f);
-}
-}
-, {"iridescence", [](Material& m) { m.finish.iridescence = 1.0f; },
-   [](Material& m) -> auto& {return m.finish.iridescenceTexture;
-}
-, [](Material& m, const glm::vec3&) { m.finish.iridescence *= 0.2f; }
-}
-, {"film's thickness", [](Material& m) { m.finish.iridescence = 1.0f; },
-   [](Material& m) -> auto& {return m.finish.filmThicknessTexture;
-}
-, [](Material& m, const glm::vec3&) { m.finish.filmThicknessMax = 100.0f + 0.4f * 300.0f; }
-}
-,
-}
-;
-for (const Row& row : rows) {
-  SCOPED_TRACE(row.name);
-  Material plain;
-  plain.baseColor = {0.9f, 0.5f, 0.7f, 1.0f};
-  plain.metallic = 0.8f;
-  plain.roughness = 0.6f;
-  row.make(plain);
-  const auto seen = [](const Material& material) {
-    World world;
-    world.scene.sky = SkyColor{{0.2f, 0.3f, 0.1f}};
-    addQuad(world.model, "sheet", {0.0f, 0.0f, 0.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -2.0f}, material);
-    Mesh& sheet = world.model.meshes.back();
-    sheet.uv = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-    sheet.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
-    sheet.normals.assign(4, {0.0f, 1.0f, 0.0f});
-    Material lamp = lambert(glm::vec3(0.0f));
-    lamp.emissive = {7.0f, 6.0f, 9.0f};
-    addQuad(world.model, "lamp", {-1.1f, 1.3f, 0.4f}, {0.0f, 0.3f, 0.3f}, {0.0f, 0.4f, -0.5f}, lamp);
-    return world.color({1.3, 1.6, -0.7}, {0.0, 0.0, 0.0}, 1024);
+      {"base colour", [](Material& m) { m.metallic = 0.1f; }, [](Material& m) { return &m.baseColorTexture; },
+       [](Material& m, const glm::vec3& c) { m.baseColor *= glm::vec4(c, 0.8f); }},
+      {"metallic and roughness", [](Material&) {}, [](Material& m) { return &m.metallicRoughnessTexture; },
+       [](Material& m, const glm::vec3&) {
+         m.roughness *= 0.4f;
+         m.metallic *= 0.6f;
+       }},
+      {"emissive",
+       [](Material& m) {
+         m.emissive = {0.3f, 0.7f, 0.5f};
+       },
+       [](Material& m) { return &m.emissiveTexture; }, [](Material& m, const glm::vec3& c) { m.emissive *= c; }},
+      {"coat", [](Material& m) { m.coat = 0.9f; }, [](Material& m) { return &m.coatTexture; },
+       [](Material& m, const glm::vec3&) { m.coat *= 0.2f; }},
+      {"coat's roughness",
+       [](Material& m) {
+         m.coat = 1.0f;
+         m.coatRoughness = 0.9f;
+       },
+       [](Material& m) { return &m.coatRoughnessTexture; },
+       [](Material& m, const glm::vec3&) { m.coatRoughness *= 0.4f; }},
+      {"sheen",
+       [](Material& m) {
+         m.metallic = 0.0f;
+         m.finish.sheenColor = {0.9f, 0.6f, 0.8f};
+         m.finish.sheenRoughness = 0.7f;
+       },
+       [](Material& m) { return &m.finish.sheenColorTexture; },
+       [](Material& m, const glm::vec3& c) { m.finish.sheenColor *= c; }},
+      {"sheen's roughness",
+       [](Material& m) {
+         m.metallic = 0.0f;
+         m.finish.sheenColor = glm::vec3(1.0f);
+         m.finish.sheenRoughness = 0.9f;
+       },
+       [](Material& m) { return &m.finish.sheenRoughnessTexture; },
+       [](Material& m, const glm::vec3&) { m.finish.sheenRoughness *= 0.8f; }},
+      {"specular",
+       [](Material& m) {
+         m.metallic = 0.0f;
+         m.ior = 2.1f;
+         m.baseColor = {0.05f, 0.1f, 0.07f, 1.0f};
+       },
+       [](Material& m) { return &m.finish.specularTexture; },
+       [](Material& m, const glm::vec3&) { m.specular *= 0.8f; }},
+      {"specular's colour",
+       [](Material& m) {
+         m.metallic = 0.0f;
+         m.ior = 2.1f;
+         m.baseColor = {0.05f, 0.1f, 0.07f, 1.0f};
+         m.finish.specularTint = {0.9f, 0.7f, 0.8f};
+       },
+       [](Material& m) { return &m.finish.specularColorTexture; },
+       [](Material& m, const glm::vec3& c) { m.finish.specularTint *= c; }},
+      {"transmission",
+       [](Material& m) {
+         m.metallic = 0.0f;
+         m.transmission = 0.9f;
+       },
+       [](Material& m) { return &m.transmissionTexture; },
+       [](Material& m, const glm::vec3&) { m.transmission *= 0.2f; }},
+      {"anisotropy",
+       [](Material& m) {
+         m.finish.anisotropy = 0.9f;
+         m.finish.anisotropyRotation = 0.3f;
+       },
+       [](Material& m) { return &m.finish.anisotropyTexture; },
+       [](Material& m, const glm::vec3&) {
+         m.finish.anisotropy *= 0.6f;
+         m.finish.anisotropyRotation += std::atan2(2.0f * 0.4f - 1.0f, 2.0f * 0.2f - 1.0f);
+       }},
+      {"iridescence", [](Material& m) { m.finish.iridescence = 1.0f; },
+       [](Material& m) { return &m.finish.iridescenceTexture; },
+       [](Material& m, const glm::vec3&) { m.finish.iridescence *= 0.2f; }},
+      {"film's thickness", [](Material& m) { m.finish.iridescence = 1.0f; },
+       [](Material& m) { return &m.finish.filmThicknessTexture; },
+       [](Material& m, const glm::vec3&) { m.finish.filmThicknessMax = 100.0f + 0.4f * 300.0f; }},
   };
-  Material textured = plain, factors = plain;
-  row.texture(textured).image = image;
-  row.multiply(factors, colors);
-  const glm::dvec3 expected = seen(factors);
-  expectColor(seen(textured), expected, 0.003);
-  EXPECT_GT(glm::length(seen(plain) - expected), 0.01 * glm::length(expected)) << "the texture is to matter";
-}
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.name);
+    Material plain;
+    plain.baseColor = {0.9f, 0.5f, 0.7f, 1.0f};
+    plain.metallic = 0.8f;
+    plain.roughness = 0.6f;
+    row.make(plain);
+    const auto seen = [](const Material& material) {
+      World world;
+      world.scene.sky = SkyColor{{0.2f, 0.3f, 0.1f}};
+      addQuad(world.model, "sheet", {0.0f, 0.0f, 0.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -2.0f}, material);
+      Mesh& sheet = world.model.meshes.back();
+      sheet.uv = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+      sheet.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
+      sheet.normals.assign(4, {0.0f, 1.0f, 0.0f});
+      Material lamp = lambert(glm::vec3(0.0f));
+      lamp.emissive = {7.0f, 6.0f, 9.0f};
+      addQuad(world.model, "lamp", {-1.1f, 1.3f, 0.4f}, {0.0f, 0.3f, 0.3f}, {0.0f, 0.4f, -0.5f}, lamp);
+      return world.color({1.3, 1.6, -0.7}, {0.0, 0.0, 0.0}, 1024);
+    };
+    Material textured = plain, factors = plain;
+    row.texture(textured)->image = image;
+    row.multiply(factors, colors);
+    const glm::dvec3 expected = seen(factors);
+    expectColor(seen(textured), expected, 0.003);
+    EXPECT_GT(glm::length(seen(plain) - expected), 0.01 * glm::length(expected)) << "the texture does not matter here";
+  }
 }
 
 // Half the light that enters is left after the attenuation distance.
