@@ -67,7 +67,7 @@ void addPlain(Runs& runs) {
       {"reference-path-glass", "render glass --camera ball --technique reference-path --rays 8 --bounces 4"},
       {"reference-path-flat", "render flat --camera doorway --technique reference-path --rays 8 --bounces 2"},
       {"reference-scene-glass", "render glass --camera prism --technique reference-scene --rays 8"},
-      {"reference-scene-mirrors", "render mirror-hall --camera floor --technique reference-scene --rays 8"},
+      {"reference-path-mirrors", "render mirror-hall --camera floor --technique reference-path --rays 8 --bounces 4"},
   };
   for (const auto& [name, command] : traced) runs.push_back({name, command, "picture.exr", true});
 }
