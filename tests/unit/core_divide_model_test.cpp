@@ -76,6 +76,31 @@ TEST(DivideModel, AFloorOfAHundredMetres) {
   for (const auto& [x, count] : cuts) EXPECT_EQ(count, x == 0.0f || x == 100.0f ? 1 : 2) << x;
 }
 
+// No point has more than four, but no cut through the middle of the left half leaves fewer on both sides of it.
+TEST(DivideModel, ProbesThatOverlapInTheMiddle) {
+  const auto model = std::make_shared<const Model>(longFloor());
+  std::vector<Probe> probes(7);
+  const Box boxes[] = {{{-50, -1, -3}, {-20, 3, 3}},   {{-50, -1, -3}, {-14, 3, 3}}, {{-52, -1, -3}, {31, 3, 3}},
+                       {{-13, -1, -3}, {27, 3, -1.2}}, {{-11, -1, -3}, {44, 3, 3}},  {{29, -1, -3}, {52, 3, 3}},
+                       {{-60, -1, -3}, {60, 3, 3}}};
+  for (std::size_t i = 0; i < probes.size(); ++i) probes[i].box = boxes[i];
+  const ProbeIndex index(probes);
+  const auto divided = dividedModel(model, glm::dmat4(1.0), probes, index, 4);
+  double contested = 0.0, sum = 0.0;
+  for (const Instance& instance : divided->instances) {
+    const Mesh& mesh = divided->meshes[static_cast<std::size_t>(instance.mesh)];
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const glm::vec3& p : mesh.positions) {
+      low = glm::min(low, glm::dvec3(p) - glm::dvec3(50, 0, 0));
+      high = glm::max(high, glm::dvec3(p) - glm::dvec3(50, 0, 0));
+    }
+    sum += area(mesh);
+    if (index.meeting({low, high}).size() > 4) contested += area(mesh);
+  }
+  EXPECT_NEAR(sum, 400.0, 1e-3);
+  EXPECT_LT(contested, 0.01 * sum);
+}
+
 TEST(DivideModel, LeavesAloneWhatDivisionDoesNotHelp) {
   const auto model = std::make_shared<const Model>(longFloor());
   std::vector<Probe> everywhere(50);

@@ -14,6 +14,7 @@ namespace boxprobe {
 namespace {
 
 constexpr int kDeepest = 8;  // at most 256 pieces per object
+constexpr int kCuts = 16;    // a cut is one of the planes at sixteenths of a box
 
 Box worldBoundsOf(const Mesh& mesh, const glm::dmat4& worldFromModel) {
   Box box;
@@ -95,8 +96,8 @@ class Divider {
 
   void divide(Mesh mesh, const glm::dmat4& worldFromModel, int depth, std::vector<Mesh>& pieces) const {
     const Box box = worldBoundsOf(mesh, worldFromModel);
-    const std::size_t here = competing(probes_, index_, box);
-    if (here > most_ && depth < kDeepest) {
+    const double here = leftOut(box);
+    if (here > 0.0 && depth < kDeepest) {
       if (const auto cut = bestCut(box, here)) {
         MeshHalves halves = cutMesh(mesh, worldFromModel, cut->first, cut->second);
         if (!halves.below.indices.empty() && !halves.above.indices.empty()) {
@@ -110,23 +111,33 @@ class Divider {
   }
 
  private:
-  /// The axis and position of the cut, in the middle of the box, whose worse half has the fewest probes; nothing if no
-  /// cut reduces them.
-  std::optional<std::pair<int, double>> bestCut(const Box& box, std::size_t here) const {
+  /// The axis and position of the cut after which the fewest probes are left out, counted by how much of the box they
+  /// are left out of; of equal ones that with the larger halves. Nothing if none is better than no cut. Positions are a
+  /// sixteenth of the box apart, so that pieces stay the same while a probe's face is dragged from one to the next.
+  std::optional<std::pair<int, double>> bestCut(const Box& box, double here) const {
     std::optional<std::pair<int, double>> best;
-    std::size_t fewest = here;
-    double longest = 0.0;
+    double least = (1.0 - 1.0e-9) * here, widest = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
-      Box low = box, high = box;
-      low.max[axis] = high.min[axis] = box.center()[axis];
-      const std::size_t worse = std::max(competing(probes_, index_, low), competing(probes_, index_, high));
       const double size = box.size()[axis];
-      if (worse > fewest || (worse == fewest && (!best || size <= longest))) continue;
-      best = {axis, box.center()[axis]};
-      fewest = worse;
-      longest = size;
+      if (!(size > 0.0)) continue;
+      for (int step = 1; step < kCuts; ++step) {
+        const double share = static_cast<double>(step) / kCuts;
+        Box low = box, high = box;
+        low.max[axis] = high.min[axis] = box.min[axis] + share * size;
+        const double left = share * leftOut(low) + (1.0 - share) * leftOut(high);
+        const double wide = std::min(share, 1.0 - share) * size;
+        if (left > least || (left == least && wide <= widest)) continue;
+        best = {axis, low.max[axis]};
+        least = left;
+        widest = wide;
+      }
     }
     return best;
+  }
+
+  double leftOut(const Box& box) const {
+    const std::size_t here = competing(probes_, index_, box);
+    return here > most_ ? static_cast<double>(here - most_) : 0.0;
   }
 
   const std::vector<Probe>& probes_;
