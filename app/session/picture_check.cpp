@@ -32,6 +32,7 @@ constexpr std::size_t kMostParts = 4, kMostMoved = 4;
 constexpr int kFaceSize = 64;           // of captures: sixteen times as fast as what is drawn later
 constexpr double kGlossy = 4.0;         // weight: a wrong mirror is seen at once
 constexpr double kWhite = 5.0;          // over the mean: lamps seen in mirrors would outweigh rooms
+constexpr double kDim = 0.1;            // of the mean of all eyes: what is darker counts as that bright
 constexpr double kNoisy = 0.5;          // of value and a tenth of white: what the truth does not know is left out
 constexpr double kCertain = 0.1;        // of the light: with less that is known the truth tells nothing
 constexpr double kBetter = 0.99;        // of the error: one trial over another
@@ -50,6 +51,7 @@ struct Eye {
   Camera camera;
   ReferencePicture truth;
   std::vector<float> weights;  ///< per pixel; 0: left out
+  double white = 0.0;          ///< brighter counts as that
 };
 
 /// Probes as they are measured: with small captures, which show the same errors.
@@ -93,11 +95,11 @@ class Checker {
     if (!look()) return std::nullopt;
     check_.eyes = eyes_.size();
     if (placement_.rooms.empty()) return check_;
-    if (eyes_.empty() || !(white_ > 0.0) || !measurable()) {
+    if (eyes_.empty() || !(mean_ > 0.0) || !measurable()) {
       check_.sentences.push_back(
           eyes_.empty() ? Phrase::tr("pictures were not compared: nobody can stand in these rooms")
           : !surfaces_  ? Phrase::tr("pictures were not compared: only lamps and unlit surfaces are seen")
-          : white_ > 0.0
+          : mean_ > 0.0
               ? Phrase::tr("pictures were not compared: the light that reaches the rooms is too little to tell "
                            "it from noise")
               : Phrase::tr("pictures were not compared: the scene has no light"));
@@ -145,13 +147,14 @@ class Checker {
         model_ = {glm::min(model_.min, world), glm::max(model_.max, world)};
       }
     }
-    double sum = 0.0, count = 0.0;
+    std::vector<double> sums, counts;
     const SharedWork* shared = settings_.shared;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       if (shared != nullptr && shared->sharing() && !shared->mine(i)) continue;
-      Eye eye{i, cameras[i].first, cameras[i].second, traced(i, cameras), {}};
+      Eye eye{i, cameras[i].first, cameras[i].second, traced(i, cameras), {}, 0.0};
       if (!eye.truth.complete) return false;
       const PictureRays rays(cameras[i].second, kWidth, kHeight);
+      double sum = 0.0, count = 0.0;
       for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
           eye.weights.push_back(weightOf(tracer, rays.origin(x + 0.5, y + 0.5), rays.direction(x + 0.5, y + 0.5)));
@@ -161,9 +164,15 @@ class Checker {
         }
       }
       eyes_.push_back(std::move(eye));
+      sums.push_back(sum);
+      counts.push_back(count);
     }
+    const double count = std::accumulate(counts.begin(), counts.end(), 0.0);
     surfaces_ = count > 0.0;
-    white_ = count > 0.0 ? kWhite * sum / count : 0.0;
+    mean_ = surfaces_ ? std::accumulate(sums.begin(), sums.end(), 0.0) / count : 0.0;
+    for (std::size_t k = 0; k < eyes_.size(); ++k) {
+      eyes_[k].white = kWhite * std::max(counts[k] > 0.0 ? sums[k] / counts[k] : 0.0, kDim * mean_);
+    }
     return true;
   }
 
@@ -175,7 +184,7 @@ class Checker {
       for (std::size_t i = 0; i < eye.weights.size(); ++i) {
         if (!(eye.weights[i] > 0.0f)) continue;
         for (std::size_t c = 0; c < 3; ++c) {
-          const double light = clamped(eye.truth.color, i, c);
+          const double light = clamped(eye, eye.truth.color, i, c);
           all += light;
           if (!noisy(eye, i)) certain += light;
         }
@@ -210,15 +219,15 @@ class Checker {
     return static_cast<float>(coated || surface.metallic > 0.5f || roughness < 0.3 ? kGlossy : 1.0);
   }
 
-  double clamped(const ImageRgbaF& image, std::size_t i, std::size_t c) const {
-    return std::clamp(static_cast<double>(image.pixels[4 * i + c]), 0.0, white_);
+  static double clamped(const Eye& eye, const ImageRgbaF& image, std::size_t i, std::size_t c) {
+    return std::clamp(static_cast<double>(image.pixels[4 * i + c]), 0.0, eye.white);
   }
 
-  bool noisy(const Eye& eye, std::size_t i) const {
+  static bool noisy(const Eye& eye, std::size_t i) {
     double noise = 0.0, bright = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {
       noise += eye.truth.standardError.pixels[4 * i + c];
-      bright += clamped(eye.truth.color, i, c) + 0.1 * white_;
+      bright += clamped(eye, eye.truth.color, i, c) + 0.1 * eye.white;
     }
     return noise > kNoisy * bright;
   }
@@ -230,27 +239,26 @@ class Checker {
     if (!report(from)) return std::nullopt;
     Scene scene = loaded_.scene;
     scene.probes = measured(probes);
-    double noise = 0.0, truths = 0.0, glossy = 0.0, glossyTruths = 0.0, sum = 0.0, truthSum = 0.0;
+    double glossy = 0.0, glossyTruths = 0.0, sum = 0.0, truthSum = 0.0;
     squares_.assign(eyes_.size(), 0.0);
-    roomNoise_.assign(placement_.rooms.size(), 0.0);
-    roomTruths_.assign(placement_.rooms.size(), 0.0);
+    noise_.assign(eyes_.size(), 0.0);
     const std::string trial = settings_.shared != nullptr ? ContentHash().add(sceneText(scene, "/")).text() : "";
     for (std::size_t k = 0; k < eyes_.size(); ++k) {
       const Eye& eye = eyes_[k];
       const auto seen = pictureOf(eye, scene, trial, from);
       if (!seen) return std::nullopt;
       const ImageRgbaF& picture = *seen;
+      double truths = 0.0, dim = 0.0;
       for (std::size_t i = 0; i < eye.weights.size(); ++i) {
         const double weight = eye.weights[i];
         if (!(weight > 0.0) || noisy(eye, i)) continue;
         for (std::size_t c = 0; c < 3; ++c) {
-          const double p = clamped(picture, i, c), t = clamped(eye.truth.color, i, c);
+          const double p = clamped(eye, picture, i, c), t = clamped(eye, eye.truth.color, i, c);
           const double e = eye.truth.standardError.pixels[4 * i + c];
           squares_[k] += weight * (p - t) * (p - t);
-          noise += weight * e * e;
+          noise_[k] += weight * e * e;
           truths += weight * t * t;
-          roomNoise_[eye.room] += weight * e * e;
-          roomTruths_[eye.room] += weight * t * t;
+          dim += weight * kDim * kDim * mean_ * mean_;
           sum += p;
           truthSum += t;
           if (weight < kGlossy) continue;
@@ -258,10 +266,13 @@ class Checker {
           glossyTruths += t * t;
         }
       }
+      const double whole = std::max(truths, dim);
+      if (!(whole > 0.0)) continue;
+      squares_[k] /= whole;
+      noise_[k] /= whole;
     }
     PictureErrors errors;
-    const double squares = std::accumulate(squares_.begin(), squares_.end(), 0.0);
-    if (truths > 0.0) errors.error = std::sqrt(std::max(squares - noise, 0.0) / truths);
+    errors.error = errorOf(squares_, [](const Eye&) { return true; });
     if (glossyTruths > 0.0) errors.glossy = std::sqrt(std::max(glossy, 0.0) / glossyTruths);
     if (truthSum > 0.0) errors.light = sum / truthSum;
     return errors;
@@ -401,10 +412,21 @@ class Checker {
     return true;
   }
 
-  /// Of the pictures measured last; the truth and its noise are the same for all.
+  /// Root mean square over the eyes that `counts` says, with the truth's noise taken off: that is the same for all
+  /// pictures.
+  template <class Counts>
+  double errorOf(const std::vector<double>& squares, const Counts& counts) const {
+    double sum = 0.0, count = 0.0;
+    for (std::size_t k = 0; k < eyes_.size(); ++k) {
+      if (!counts(eyes_[k])) continue;
+      sum += squares[k] - noise_[k];
+      count += 1.0;
+    }
+    return count > 0.0 ? std::sqrt(std::max(sum, 0.0) / count) : 0.0;
+  }
+
   double roomError(std::size_t room, const std::vector<double>& squares) const {
-    if (!(roomTruths_[room] > 0.0)) return 0.0;
-    return std::sqrt(std::max(ofRoom(room, squares) - roomNoise_[room], 0.0) / roomTruths_[room]);
+    return errorOf(squares, [room](const Eye& eye) { return eye.room == room; });
   }
 
   double ofRoom(std::size_t room, const std::vector<double>& squares) const {
@@ -655,11 +677,11 @@ class Checker {
   ReferencePath path_;
   std::vector<Eye> eyes_;
   Box model_{glm::dvec3(1e300), glm::dvec3(-1e300)};  ///< around all surfaces
-  double white_ = 0.0;
-  bool surfaces_ = false;  ///< the eyes see some that count
+  double mean_ = 0.0;                                 ///< light of what the eyes see
+  bool surfaces_ = false;                             ///< the eyes see some that count
   double trials_ = 0.0;
   std::vector<double> squares_, bestSquares_, ownSquares_;  ///< by eye: measured last; the best; the scene's own
-  std::vector<double> roomNoise_, roomTruths_;
+  std::vector<double> noise_;                               ///< by eye: the truth's
   PictureCheck check_;
 };
 

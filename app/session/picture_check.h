@@ -16,9 +16,11 @@ namespace boxprobe {
 class SharedWork;
 
 /// Over the surfaces that the eyes see, without lamps. Errors are root mean squares over those of the truth, with the
-/// truth's noise taken off, all light above five times the mean counted as that.
+/// truth's noise taken off, all light above five times the mean of the picture counted as that.
 struct PictureErrors {
-  double error = 0.0;   ///< relative; mirrors and other glossy surfaces count four times
+  /// Of each picture over its own light, as people see it, or over a tenth of the mean of all; root mean square of all
+  /// eyes. Mirrors and other glossy surfaces count four times.
+  double error = 0.0;
   double glossy = 0.0;  ///< of glossy surfaces alone
   double light = 1.0;   ///< mean over that of the truth
 };
