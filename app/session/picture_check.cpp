@@ -107,6 +107,7 @@ class Checker {
       return check_;
     }
     if (!choose()) return std::nullopt;
+    placement_.rate();
     tellRooms();
     if (settings_.views && check_.better && !lookCloser()) return std::nullopt;
     check_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

@@ -67,6 +67,23 @@ double glossOf(const ReflectedRays& rays) {
   return all > 0.0 ? smooth / all : 0.0;
 }
 
+/// Of the rooms that reflect, weighted by volume.
+LitErrors overRooms(const std::vector<PlacedRoom>& rooms, LitErrors PlacedRoom::*errors) {
+  double volume = 0.0;
+  for (const PlacedRoom& room : rooms) volume += room.reflects ? room.volume : 0.0;
+  LitErrors sum;
+  for (const PlacedRoom& room : rooms) {
+    if (!room.reflects) continue;
+    const LitErrors& each = room.*errors;
+    const double weight = room.volume / volume;
+    sum.meanDegrees += weight * each.meanDegrees;
+    sum.p95Degrees += weight * each.p95Degrees;
+    sum.hidden += weight * each.hidden;
+    sum.unlit += weight * each.unlit;
+  }
+  return sum;
+}
+
 /// What a person has chosen for the scene's own probes holds for others: how they are captured, filtered and looked up.
 void inheritSettings(const std::vector<Probe>& own, Probe& probe) {
   const auto away = [&](const Probe& each) { return glm::length(each.origin - probe.origin); };
@@ -92,7 +109,8 @@ class Placer {
         models_(models),
         settings_(settings),
         progress_(progress),
-        fitter_(withoutCameras(scene), models) {}
+        rating_(std::make_shared<PlaceRating>(PlaceRating{ProbeFitter(withoutCameras(scene), models), {}, {}})),
+        fitter_(rating_->fitter) {}
 
   std::optional<Placement> place() {
     const Clock::time_point begun = Clock::now();
@@ -232,10 +250,10 @@ class Placer {
       const double from = 0.25 + 0.45 * static_cast<double>(i) / roomCount();
       PlacedRoom& placed = placement_.rooms[i];
       Probe about = roomFits_->start(rooms_.rooms[i].cells);
-      rays_.push_back(reflectedRays(fitter_.placeOf(about), about, kScoreRays, kScoreTurn));
+      rating_->rays.push_back(reflectedRays(fitter_.placeOf(about), about, kScoreRays, kScoreTurn));
       if (!part(from, from)(0.0)) return false;
       if (holds(i)) continue;
-      placed.reflects = reflects(rooms_.rooms[i], rays_.back());
+      placed.reflects = reflects(rooms_.rooms[i], rating_->rays.back());
       if (!placed.reflects) {
         placed.decisions.push_back(
             Phrase::tr("left out: it has no ceiling, and no surface in it is smoother than roughness 0.6"));
@@ -252,7 +270,7 @@ class Placer {
     }
     setInfluences(captured(), rooms_, placement_.probes);
     for (PlacedProbe& placed : placement_.probes) {
-      const LitErrors errors = litErrors(fitter_, rays_[placed.room], {placed.probe});
+      const LitErrors errors = litErrors(fitter_, rating_->rays[placed.room], {placed.probe});
       placed.gainDegrees = kHiddenDegrees - errors.meanDegrees;
       placement_.rooms[placed.room].decisions.push_back(Phrase::tr("its first probe leaves %1 of %2 degrees")
                                                             .arg(decimals(errors.meanDegrees))
@@ -299,7 +317,7 @@ class Placer {
   bool placeInPartsOf(std::size_t room, std::size_t first, double from) {
     std::vector<Phrase>& decisions = placement_.rooms[room].decisions;
     std::vector<Probe> chosen = {placement_.probes[first].probe};
-    double error = litErrors(fitter_, rays_[room], chosen).meanDegrees;
+    double error = litErrors(fitter_, rating_->rays[room], chosen).meanDegrees;
     const auto needed = [&] { return settings_.leastGain * (kHiddenDegrees - error); };
     if (error <= needed()) return true;  // even a perfect probe would not gain enough
     std::vector<PlacedProbe> candidates;
@@ -319,7 +337,7 @@ class Placer {
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         std::vector<Probe> with = chosen;
         with.push_back(candidates[i].probe);
-        const double cost = litErrors(fitter_, rays_[room], with).meanDegrees;
+        const double cost = litErrors(fitter_, rating_->rays[room], with).meanDegrees;
         if (cost < least) best = i, least = cost;
       }
       if (error - least < needed()) {
@@ -344,7 +362,7 @@ class Placer {
     }
     if (chosen.size() < 3) return true;
     chosen.erase(chosen.begin());
-    const double without = litErrors(fitter_, rays_[room], chosen).meanDegrees;
+    const double without = litErrors(fitter_, rating_->rays[room], chosen).meanDegrees;
     if (without - error >= needed()) return true;
     decisions.push_back(Phrase::tr("the others cover its first probe, which gains only %1 degrees: left out")
                             .arg(decimals(without - error)));
@@ -354,20 +372,20 @@ class Placer {
 
   void coverSeen() {
     std::vector<PlacedProbe>& probes = placement_.probes;
-    std::vector<SeenPlace> seen = seenFromRooms(captured(), rooms_);
+    std::vector<SeenPlace>& seen = rating_->seen;
+    seen = seenFromRooms(captured(), rooms_);
     const auto unused = [&](const SeenPlace& place) { return !placement_.rooms[place.room].reflects; };
     seen.erase(std::remove_if(seen.begin(), seen.end(), unused), seen.end());
     placement_.bareBefore = bareShare(seen, scene_.probes);
     growOverSeen(seen, placement_.kept, rooms_.region.height, probes, above_);
-    placement_.bareAfter = bareShare(seen, placement_.all());
-    if (placement_.bareAfter <= kMostBare || probes.empty() || full()) return;
+    const double bare = bareShare(seen, placement_.all());
+    if (bare <= kMostBare || probes.empty() || full()) return;
     std::optional<PlacedProbe> outside = surroundingsProbe(captured(), rooms_, seen, placement_.all());
     if (!outside) return;
-    const double bare = placement_.bareAfter;
     probes.push_back(*std::move(outside));
-    placement_.bareAfter = bareShare(seen, placement_.all());
+    const double left = bareShare(seen, placement_.all());
     probes.back().reason = Phrase::tr("for what is seen outside of the rooms: %1 % of all surfaces")
-                               .arg(decimals(100.0 * (bare - placement_.bareAfter), 1));
+                               .arg(decimals(100.0 * (bare - left), 1));
   }
 
   /// Where influence boxes overlap, the more important probe is the one with which both rooms together have the smaller
@@ -391,7 +409,7 @@ class Placer {
         two[1].importance = importanceB;
         double error = 0.0;
         for (const std::size_t room : {ofA, ofB}) {
-          error += rooms_.rooms[room].volume * litErrors(fitter_, rays_[room], two).meanDegrees;
+          error += rooms_.rooms[room].volume * litErrors(fitter_, rating_->rays[room], two).meanDegrees;
         }
         return error;
       };
@@ -416,24 +434,13 @@ class Placer {
   bool judge() {
     coverSeen();
     setImportance();
-    double volume = 0.0;
-    const auto add = [](LitErrors& sum, const LitErrors& each, double weight) {
-      sum.meanDegrees += weight * each.meanDegrees;
-      sum.p95Degrees += weight * each.p95Degrees;
-      sum.hidden += weight * each.hidden;
-      sum.unlit += weight * each.unlit;
-    };
-    for (const PlacedRoom& room : placement_.rooms) volume += room.reflects ? room.volume : 0.0;
-    const std::vector<Probe> all = placement_.all();
     for (std::size_t i = 0; i < placement_.rooms.size(); ++i) {
-      if (!part(0.95, 1.0)(static_cast<double>(i) / roomCount())) return false;
-      PlacedRoom& room = placement_.rooms[i];
-      room.before = litErrors(fitter_, rays_[i], scene_.probes);
-      room.after = litErrors(fitter_, rays_[i], all);
-      if (!room.reflects) continue;
-      add(placement_.before, room.before, room.volume / volume);
-      add(placement_.after, room.after, room.volume / volume);
+      if (!part(0.95, 0.98)(static_cast<double>(i) / roomCount())) return false;
+      placement_.rooms[i].before = litErrors(fitter_, rating_->rays[i], scene_.probes);
     }
+    placement_.before = overRooms(placement_.rooms, &PlacedRoom::before);
+    if (!placement_.rooms.empty()) placement_.rating = rating_;
+    placement_.rate();
     return true;
   }
 
@@ -494,10 +501,10 @@ class Placer {
   const TriangleRays::Models& models_;
   const PlaceSettings& settings_;
   const FitProgress& progress_;
-  ProbeFitter fitter_;
+  std::shared_ptr<PlaceRating> rating_;
+  ProbeFitter& fitter_;
   Rooms rooms_;
   std::optional<RoomFitter> roomFits_;
-  std::vector<ReflectedRays> rays_;                         ///< for choosing, one per room
   std::vector<std::size_t> roomOf_;                         ///< per cell; the number of rooms: none
   std::vector<std::size_t> held_;                           ///< rooms that contain a probe to keep
   std::vector<std::pair<std::size_t, std::size_t>> above_;  ///< where influences grew: the second above the first
@@ -531,6 +538,14 @@ std::vector<Probe> Placement::all() const {
   std::vector<Probe> together = kept;
   for (const PlacedProbe& placed : probes) together.push_back(placed.probe);
   return together;
+}
+
+void Placement::rate() {
+  if (rating == nullptr) return;
+  const std::vector<Probe> together = all();
+  for (std::size_t i = 0; i < rooms.size(); ++i) rooms[i].after = litErrors(rating->fitter, rating->rays[i], together);
+  after = overRooms(rooms, &PlacedRoom::after);
+  bareAfter = bareShare(rating->seen, together);
 }
 
 bool Placement::indoorsAndOutdoors() const {

@@ -1,11 +1,13 @@
 // Places probes for a whole model: finds its rooms, fits a box to each, and adds probes to a room while they gain.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "filters/core/base/phrase.h"
 #include "filters/fit/lit_errors.h"
+#include "filters/fit/place_cover.h"
 #include "filters/fit/placed_probe.h"
 #include "filters/fit/rooms/find_rooms.h"
 #include "filters/fit/shared_fits.h"
@@ -38,6 +40,13 @@ struct PlacedRoom {
   std::vector<Phrase> decisions;    ///< sentences without a full stop: every probe that was tried, and the result
 };
 
+/// What people in the rooms see, by which probes are rated.
+struct PlaceRating {
+  ProbeFitter fitter;
+  std::vector<ReflectedRays> rays;  ///< one per room
+  std::vector<SeenPlace> seen;      ///< from rooms that reflect
+};
+
 struct Placement {
   std::vector<PlacedRoom> rooms;             ///< in order of decreasing size
   std::vector<PlacedProbe> probes;           ///< in the order of the rooms
@@ -48,11 +57,15 @@ struct Placement {
   double cell = 0.0;  ///< cell size of the free space, scene units
   std::size_t cells = 0;
   double roomSeconds = 0.0, seconds = 0.0;
+  std::shared_ptr<PlaceRating> rating;  ///< null without rooms
 
   /// Are there rooms of both kinds? No box then goes around all of them.
   bool indoorsAndOutdoors() const;
   /// The kept probes and the placed ones.
   std::vector<Probe> all() const;
+  /// Sets `after` of all and of each room, and `bareAfter`, to what all() leaves. To be called by whoever changes the
+  /// probes after placeProbes().
+  void rate();
 };
 
 /// Probes are called as their rooms, with a letter where a room has several; no name is one of `placement.kept`. Called

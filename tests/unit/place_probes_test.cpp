@@ -115,6 +115,30 @@ TEST(PlaceProbes, KeepsProbesAndFillsTheOtherRooms) {
   EXPECT_EQ(placement->remarks[0].english().rfind("in the wall: its origin is in no room", 0), 0u);
 }
 
+TEST(PlaceProbes, WhatIsLeftOutLaterIsRatedAgain) {
+  Flat flat = flatOf(test::madeFlat());
+  Probe own;
+  own.name = "own";
+  own.origin = {2.0, 1.5, 0.5};
+  own.box = {glm::dvec3(0.3, 0.1, -1.2), glm::dvec3(4.6, 2.3, 1.4)};
+  flat.scene.probes = {own};
+  std::optional<Placement> placement = flat.place();
+  ASSERT_TRUE(placement);
+  ASSERT_LT(placement->after.meanDegrees, 0.5 * placement->before.meanDegrees);
+  ASSERT_LT(placement->bareAfter, 0.5 * placement->bareBefore);
+  placement->probes.clear();
+  placement->kept = flat.scene.probes;
+  placement->rate();
+  EXPECT_EQ(placement->after.meanDegrees, placement->before.meanDegrees);
+  EXPECT_EQ(placement->after.p95Degrees, placement->before.p95Degrees);
+  EXPECT_EQ(placement->after.hidden, placement->before.hidden);
+  EXPECT_EQ(placement->after.unlit, placement->before.unlit);
+  EXPECT_EQ(placement->bareAfter, placement->bareBefore);
+  for (const PlacedRoom& room : placement->rooms) {
+    EXPECT_EQ(room.after.meanDegrees, room.before.meanDegrees) << room.name;
+  }
+}
+
 TEST(PlaceProbes, ALongRoomGetsMoreWhereTheyGain) {
   // A hall whose middle is hidden from both ends by two screens.
   MadeModel made;
