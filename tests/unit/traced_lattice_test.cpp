@@ -406,6 +406,7 @@ TEST(TracedLattice, NoLightComesThroughAWallInTheBox) {
 struct RoundRoom : SightLines {
   static constexpr double kRadius = 1.1;
   const dvec3 middle{0.3, -0.2, 0.1};
+  double turnedFrom = 1.1;  ///< from its middle: beyond that the wall turns its back to the room
   bool empty() const override { return false; }
   Box bounds() const override { return {middle - kRadius, middle + kRadius}; }
   bool blocked(const dvec3& from, const dvec3& to, bool) const override {
@@ -422,21 +423,22 @@ struct RoundRoom : SightLines {
     Met met;
     met.back = in > 0.0;
     met.distance = met.back ? in : out;
-    met.normal = (met.back ? 1.0 : -1.0) * (way + met.distance * d) / kRadius;
+    const dvec3 at = way + met.distance * d;
+    met.normal = (met.back ? 1.0 : -1.0) * at / kRadius;
+    if (at.x > turnedFrom) met.back = !met.back;
     met.albedo = kAlbedo;
     return met;
   }
 };
 
-// Its wall shines alike all over, so that each place of it receives just that.
-TEST(TracedLattice, NodesBehindTheWallOfARoundRoomAreNotItsLight) {
-  const glm::vec3 shown(0.4f, 0.7f, 1.1f);
+constexpr glm::vec3 kShown(0.4f, 0.7f, 1.1f);  ///< of the wall, everywhere
+
+DiffuseLattice latticeOf(const std::shared_ptr<const RoundRoom>& room) {
   CubeMap capture(8, 1);
   for (int face = 0; face < 6; ++face) {
-    for (int i = 0; i < 64; ++i) capture.setTexel(0, face, i % 8, i / 8, glm::vec4(shown, 1.0f));
+    for (int i = 0; i < 64; ++i) capture.setTexel(0, face, i % 8, i / 8, glm::vec4(kShown, 1.0f));
   }
   const CubeMap means = plainMeans(capture);
-  const auto room = std::make_shared<const RoundRoom>();
   LatticeSurroundings in;
   in.lines = room;
   in.lamps = std::make_shared<const SceneLamps>();
@@ -446,8 +448,13 @@ TEST(TracedLattice, NodesBehindTheWallOfARoundRoomAreNotItsLight) {
   shape.projection = 0;
   LatticeSettings settings;
   settings.spacing = 0.4f;
-  const DiffuseLattice lattice =
-      tracedLattice(makeDiffuseLattice(means, shape, glm::mat3(1.0f), glm::mat3(1.0f), settings), means, in);
+  return tracedLattice(makeDiffuseLattice(means, shape, glm::mat3(1.0f), glm::mat3(1.0f), settings), means, in);
+}
+
+// Its wall shines alike all over, so that each place of it receives just that.
+TEST(TracedLattice, NodesBehindTheWallOfARoundRoomAreNotItsLight) {
+  const auto room = std::make_shared<const RoundRoom>();
+  const DiffuseLattice lattice = latticeOf(room);
   const auto count = lattice.texels.size() / DiffuseLattice::kParts;
   std::size_t inside = 0;
   for (std::size_t node = 0; node < count; ++node) {
@@ -460,7 +467,7 @@ TEST(TracedLattice, NodesBehindTheWallOfARoundRoomAreNotItsLight) {
     const double z = 1.0 - 2.0 * any(random), phi = 2.0 * kPi * any(random), r = std::sqrt(1.0 - z * z);
     const dvec3 out(r * std::cos(phi), r * std::sin(phi), z);
     const glm::vec3 facing(-out), place(room->middle + RoundRoom::kRadius * out);
-    const glm::vec3 there = shading::latticeIrradiance(lattice.shape(), place, facing, facing) / shown;
+    const glm::vec3 there = shading::latticeIrradiance(lattice.shape(), place, facing, facing) / kShown;
     least = std::min({least, there.x, there.y, there.z});
     most = std::max({most, there.x, there.y, there.z});
   }
@@ -469,6 +476,28 @@ TEST(TracedLattice, NodesBehindTheWallOfARoundRoomAreNotItsLight) {
   EXPECT_LT(20 * inside, count) << "nothing is judged";
   EXPECT_GT(least, 0.95f);
   EXPECT_LT(most, 1.05f);
+}
+
+// A model's wall of one side may show its back to the room: who stands before it is not within something.
+TEST(TracedLattice, NodesThatTheOriginSeesStandInTheOpen) {
+  const auto room = std::make_shared<RoundRoom>();
+  room->turnedFrom = 0.25;
+  const DiffuseLattice lattice = latticeOf(room);
+  const auto count = lattice.texels.size() / DiffuseLattice::kParts;
+  const glm::vec3 step = (lattice.high - lattice.low) / glm::vec3(lattice.nodes - 1);
+  std::size_t inside = 0, before = 0;
+  for (std::size_t node = 0; node < count; ++node) {
+    const auto i = static_cast<int>(node);
+    const glm::ivec3 p(i % lattice.nodes.x, i / lattice.nodes.x % lattice.nodes.y,
+                       i / (lattice.nodes.x * lattice.nodes.y));
+    const dvec3 off = dvec3(lattice.low + glm::vec3(p) * step) - room->middle;
+    if (glm::length(off) > 0.99 * RoundRoom::kRadius) continue;
+    ++inside;
+    before += off.x > room->turnedFrom ? 1 : 0;
+    EXPECT_GT(lattice.texels[(DiffuseLattice::kParts - 1) * count + node].w, 0.5f) << off.x << " " << off.y;
+  }
+  EXPECT_GT(before, 10u);
+  EXPECT_GT(inside, 2 * before);
 }
 
 // A lattice is kept while what it was traced from is the same, whichever copy of it.

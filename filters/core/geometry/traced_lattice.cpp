@@ -43,7 +43,8 @@ struct FarEnd {
 struct TracedNode {
   std::array<glm::vec3, 9> sums{};  // of all light but that
   std::vector<FarEnd> ends;
-  bool known = true;  // false: within something
+  bool fronts = true;  // of nearly all surfaces around it
+  bool known = true;   // false: within something
 };
 
 // A capture with the sky in it, premultiplied by its coverage instead: coarse texels would have the sky between beams
@@ -141,9 +142,19 @@ class NodeTracer {
                                              : sky_[i];
       for (std::size_t k = 0; k < 9; ++k) node.sums[k] += basis_[i][k] * light;
     }
-    node.known = backs <= kMostBacks * met;
+    node.fronts = backs <= kMostBacks * met;
+    node.known = node.fronts || originSees(from);
     if (!node.known) node.ends.clear();
     return node;
+  }
+
+  // The capture origin stands in the open, and so does what it sees, also among walls that turn their backs to a room.
+  bool originSees(const glm::dvec3& world) const {
+    const glm::dvec3 way = world - in_.originWorld;
+    const double distance = glm::length(way);
+    if (distance <= margin_) return true;
+    const auto hit = in_.lines->first(in_.originWorld, way / distance);
+    return !hit || hit->distance > distance;
   }
 
   // All light of a node, where `lattice` is what its far ends receive beside lamps and light sources.
@@ -460,9 +471,9 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
   });
   std::vector<char> known(count, 1);
   for (std::size_t node = 0; node < count; ++node) known[node] = nodes[node].known ? 1 : 0;
-  // Fronts and backs mean something where the capture origin, which stands in the open, sees fronts, and where many
-  // nodes do. Few do of a round room within a large influence.
-  const bool fills = tracer.trace(glm::vec3(0.0f)).known ||
+  // Fronts and backs mean something where the capture origin sees fronts, and where many nodes are known. Few are of a
+  // round room within a large influence.
+  const bool fills = tracer.trace(glm::vec3(0.0f)).fronts ||
                      4 * static_cast<std::size_t>(std::count(known.begin(), known.end(), 1)) >= count;
   cutWays(lattice, fills ? known : std::vector<char>(count, 1), in);
   // What far ends receive is the light of the nodes around them, which see far ends themselves: again, until that makes

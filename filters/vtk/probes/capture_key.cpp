@@ -18,7 +18,7 @@ namespace {
 
 // Increase them whenever captures or filters give other texels for the same inputs, so that older files are made again.
 // A sky is not lit: where only probes' captures change, its version stays, and with it studio.levels.
-constexpr int kBakeVersion = 7, kSkyVersion = 5;
+constexpr int kBakeVersion = 8, kSkyVersion = 5;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
   if (!use.image) return {};
