@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <regex>
 #include <set>
 
 #include "tests/house/include_graph.h"
@@ -54,6 +56,39 @@ TEST(House, MessageBoxesAreMadeInOnePlace) {
     const bool own = text.find("QMessageBox box(") != std::string::npos;
     EXPECT_TRUE(!own || text.find("setTextFormat(") != std::string::npos) << file.path << ": say which text it shows";
   }
+}
+
+/// The type that a line begins to define; empty: none.
+std::string definedType(const std::string& line) {
+  static const std::regex type(
+      R"rx(^(?:struct|class|enum class|enum|union) (?:\w+_EXPORT )?(\w+)(?: final)?(?: :[^;]*)?(?: \{.*)?$)rx");
+  std::smatch match;
+  return std::regex_match(line, match, type) ? match[1].str() : "";
+}
+
+// Two types of one name share their constructors, whichever the linker finds first: memory is overwritten.
+TEST(House, NoTwoHeadersDefineATypeOfOneName) {
+  EXPECT_EQ(definedType("class BOXPROBE_EXPORT Editor final : public QObject {"), "Editor");
+  EXPECT_EQ(definedType("struct Place { int x = 0; };"), "Place");
+  EXPECT_EQ(definedType("class Editor;"), "");
+  std::map<std::string, std::string> known;
+  for (const SourceFile& file : sourceFiles(kRoot)) {
+    if (file.path.substr(file.path.size() - 2) != ".h") continue;
+    std::ifstream stream(kRoot + "/" + file.path);
+    std::vector<std::string> within;
+    for (std::string line; std::getline(stream, line);) {
+      if (line.rfind("namespace ", 0) == 0) within.push_back(line.substr(10, line.find(' ', 10) - 10));
+      if (line.rfind("}  // namespace", 0) == 0) within.pop_back();
+      const std::string type = definedType(line);
+      if (type.empty()) continue;
+      std::string name;
+      for (const std::string& space : within) name += space + "::";
+      name += type;
+      const auto [other, first] = known.emplace(name, file.path);
+      EXPECT_TRUE(first) << name << " is defined in " << other->second << " and in " << file.path;
+    }
+  }
+  EXPECT_GT(known.size(), 500u);
 }
 
 TEST(House, EveryRoomHasFilesAndEveryFileARoom) {

@@ -44,7 +44,7 @@ class DrawState {
   /// The exposure of the window's own frames, also during a PassScope.
   float exposure() const { return exposure_; }
   void setDragging(bool dragging) { pass_.dragging = dragging; }
-  void setDebugView(const DebugView& debug) { pass_.debug = debug; }
+  void setDebugView(const ShownDebugView& debug) { pass_.debug = debug; }
 
  private:
   friend class PassScope;

@@ -13,11 +13,11 @@ struct ProbeSight;
 constexpr float kLinearOutput = -1.0f;
 
 /// What the programs of the debug view show.
-struct DebugView {
+struct ShownDebugView {
   int view = 0;  ///< row of surfaceViews()
   float low = 0.0f, high = 1.0f;
   bool finish = false;  ///< capture the surfaces' finish instead of the common properties
-  bool operator==(const DebugView& o) const {
+  bool operator==(const ShownDebugView& o) const {
     return view == o.view && low == o.low && high == o.high && finish == o.finish;
   }
 };
@@ -35,7 +35,7 @@ struct BehindPicture {
 struct PassSettings {
   float exposure = 1.0f;             ///< factor of display colours; kLinearOutput
   bool dragging = false;             ///< a handle is being dragged: only uniforms change, and nothing is precomputed
-  DebugView debug;                   ///< not in captures
+  ShownDebugView debug;              ///< not in captures
   bool capture = false;              ///< for a probe: reflections take lamps from maps, which is cheap
   bool firstBounce = false;          ///< in a capture: probes reflect nothing yet, and the sky lights in their place
   bool firstBouncePrograms = false;  ///< with firstBounce: use programs without probe lookups

@@ -13,7 +13,7 @@ namespace boxprobe {
 
 class RayScene;
 
-struct RaySettings {
+struct RayBuilderSettings {
   RayView view;
   std::vector<RayProbe> probes;
   std::vector<Light> lights;
@@ -28,7 +28,7 @@ struct RaySettings {
 class RayBuilder {
  public:
   /// Both must outlive this object.
-  RayBuilder(const RaySettings& settings, RayLines& lines) : settings_(settings), lines_(lines) {}
+  RayBuilder(const RayBuilderSettings& settings, RayLines& lines) : settings_(settings), lines_(lines) {}
   void addPoint(int point, const SurfaceRay& ray);
   /// The refracted rays of a point after addPoint(); `back`: its inner side is seen.
   void addGlass(int point, const SurfaceRay& ray, const GlassSurface& glass, bool back);
@@ -41,7 +41,7 @@ class RayBuilder {
   void addShadows(const RayLine& common, const SurfaceRay& ray, int probe);
   void addLookups(const RayLine& common, const ProbeRay& found, const RayProbe& probe, const SurfaceRay& ray);
 
-  const RaySettings& settings_;
+  const RayBuilderSettings& settings_;
   RayLines& lines_;
 };
 

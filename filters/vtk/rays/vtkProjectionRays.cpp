@@ -99,7 +99,7 @@ int vtkProjectionRays::RequestData(vtkInformation*, vtkInformationVector** input
   vtkPointSet* points = vtkPointSet::GetData(input[0]);
   Internals& d = *this->Internal;
   d.useScene(vtkPolyData::GetData(input[1]));
-  RaySettings settings;
+  RayBuilderSettings settings;
   settings.view = {this->ParallelProjection != 0,
                    {this->Eye[0], this->Eye[1], this->Eye[2]},
                    {this->ViewDirection[0], this->ViewDirection[1], this->ViewDirection[2]}};

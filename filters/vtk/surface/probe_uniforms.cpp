@@ -445,7 +445,7 @@ void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBindin
 }
 
 void uploadView(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, int object) {
-  const DebugView& debug = state.pass().debug;
+  const ShownDebugView& debug = state.pass().debug;
   to.program->SetUniformi("bpView", debug.view);
   to.program->SetUniformi("bpFinishShown", debug.finish ? 1 : 0);
   const float range[2] = {debug.low, debug.high};
