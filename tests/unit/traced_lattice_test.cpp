@@ -89,7 +89,8 @@ TEST(TracedLattice, WhatNoCaptureSeesHasAllBounces) {
   ASSERT_FALSE(lattice.empty());
   const glm::ivec3 n = lattice.nodes;
   for (const glm::ivec3 p : {glm::ivec3(1, 1, 1), glm::ivec3(n.x - 1, 0, n.z - 2), glm::ivec3(2, n.y - 1, 0)}) {
-    const auto node = static_cast<std::size_t>((p.z * n.y + p.y) * n.x + p.x);
+    const int index = (p.z * n.y + p.y) * n.x + p.x;
+    const auto node = static_cast<std::size_t>(index);
     const glm::vec3 place = lattice.low + glm::vec3(p) * (lattice.high - lattice.low) / glm::vec3(n - 1);
     const dvec3 truth = meanLight(dvec3(place), light, 20000);
     const glm::vec3 first(lattice.texels[node]);
@@ -165,7 +166,8 @@ TEST(TracedLattice, WhatShinesUnseenLightsNodes) {
   const DiffuseLattice lattice = tracedLattice(makeDiffuseLattice(means, shape), means, in);
   const glm::ivec3 n = lattice.nodes;
   for (const glm::ivec3 p : {glm::ivec3(1, 1, 1), glm::ivec3(n.x - 1, 0, n.z - 2), glm::ivec3(2, n.y - 1, 0)}) {
-    const auto node = static_cast<std::size_t>((p.z * n.y + p.y) * n.x + p.x);
+    const int index = (p.z * n.y + p.y) * n.x + p.x;
+    const auto node = static_cast<std::size_t>(index);
     const glm::vec3 place = lattice.low + glm::vec3(p) * (lattice.high - lattice.low) / glm::vec3(n - 1);
     const dvec3 truth = meanShine(dvec3(place), *room, 20000);
     const glm::vec3 first(lattice.texels[node]);
@@ -253,7 +255,8 @@ TEST(TracedLattice, SunAndSkyLightWhatNodesSee) {
     in.open = true;
     const DiffuseLattice lattice = tracedLattice(makeDiffuseLattice(means, shape), means, in);
     const glm::ivec3 n = lattice.nodes;
-    const glm::vec4 mean = lattice.texels[static_cast<std::size_t>((1 * n.y + n.y - 1) * n.x + 2)];
+    const int at = (1 * n.y + n.y - 1) * n.x + 2;
+    const glm::vec4 mean = lattice.texels[static_cast<std::size_t>(at)];
     for (int c = 0; c < 3; ++c) {
       const double s = static_cast<double>(skyLight[c]), a = static_cast<double>(kAlbedo[c]);
       const double sunny = static_cast<double>(sun.intensity * sun.color[c]) * cosine / kPi;
@@ -317,7 +320,8 @@ TEST(TracedLattice, SkyBetweenBeamsIsNotTheBeams) {
   const DiffuseLattice lattice = tracedLattice(makeDiffuseLattice(means, shape), means, in, 4096);
   const glm::ivec3 n = lattice.nodes;
   for (const glm::ivec3 p : {glm::ivec3(1, 1, 2), glm::ivec3(n.x - 1, 0, 1)}) {
-    const glm::vec4 mean = lattice.texels[static_cast<std::size_t>((p.z * n.y + p.y) * n.x + p.x)];
+    const int at = (p.z * n.y + p.y) * n.x + p.x;
+    const glm::vec4 mean = lattice.texels[static_cast<std::size_t>(at)];
     const float open = 0.5f + 0.5f * static_cast<float>(1.0 - Beams::kCovered);
     const glm::vec3 truth = open * glm::vec3(0.3f, 0.7f, 1.1f);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / truth[c], 1.0f, 0.04f) << c;

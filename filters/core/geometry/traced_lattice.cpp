@@ -369,7 +369,8 @@ void fillNodes(DiffuseLattice& lattice, std::vector<char> known) {
       for (int k = 0; k < 27; ++k) {
         const glm::ivec3 step(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1), q = p + step;
         if (q.x < 0 || q.y < 0 || q.z < 0 || q.x >= n.x || q.y >= n.y || q.z >= n.z) continue;
-        const auto other = static_cast<std::size_t>((q.z * n.y + q.y) * n.x + q.x);
+        const int index = (q.z * n.y + q.y) * n.x + q.x;
+        const auto other = static_cast<std::size_t>(index);
         if (known[other] == 0) continue;
         const float w = 1.0f / static_cast<float>(std::abs(step.x) + std::abs(step.y) + std::abs(step.z));
         for (std::size_t part = 0; part < sum.size(); ++part) sum[part] += w * lattice.texels[part * count + other];
@@ -429,7 +430,8 @@ float tracedSpacing(const glm::vec3& low, const glm::vec3& high, float usual, co
   int out = 0, all = 0;
   float brightest = 0.0f;  // of what shines and is not drawn as a shape, sum of the colours
   for (int k = 0; k < kPlaces * kPlaces * kPlaces; ++k) {
-    const glm::dvec3 share((k % 3 + 0.5) / kPlaces, (k / 3 % 3 + 0.5) / kPlaces, (k / 9 + 0.5) / kPlaces);
+    const glm::ivec3 place(k % 3, k / 3 % 3, k / 9);
+    const glm::dvec3 share = (glm::dvec3(place) + 0.5) / static_cast<double>(kPlaces);
     const glm::dvec3 from = glm::dvec3(low) + share * size;
     for (int i = 0; i < kRaysOfPlace; ++i) {
       const double z = 1.0 - (2.0 * i + 1.0) / kRaysOfPlace,
@@ -482,7 +484,7 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
     const DiffuseLattice before = lattice;
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t node) {
       const std::array<glm::vec3, 9> sums = tracer.lit(nodes[node], before);
-      for (std::size_t k = 0; k < 4 * DiffuseLattice::kParts; ++k) {
+      for (std::size_t k = 0; k < std::size_t{4} * DiffuseLattice::kParts; ++k) {
         lattice.texels[(k / 4) * count + node][static_cast<int>(k % 4)] =
             k < 27 ? sums[k / 3][static_cast<int>(k % 3)] : 1.0f;
       }
