@@ -163,37 +163,6 @@ TEST(PlaceChecked, PicturesAreBetterThanWithWhatTheSceneHad) {
   for (const json& probe : report["probes"]) EXPECT_FALSE(probe["reason"].get<std::string>().empty());
 }
 
-// The box is that of the walls: no other is better, and what is told is of the one that stays.
-TEST(PlaceChecked, TellsTheErrorOfWhatStays) {
-  const TemporaryFolder folder;
-  folder.write("room.obj", R"(v -2.1 0 -1.4
-v 1.9 0 -1.4
-v 1.9 0 1.7
-v -2.1 0 1.7
-v -2.1 2.6 -1.4
-v 1.9 2.6 -1.4
-v 1.9 2.6 1.7
-v -2.1 2.6 1.7
-f 1 4 3 2
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-)");
-  const std::string scene = folder.write("room.boxprobe.json", R"({"format": "boxprobe-scene", "version": 1,
-    "model": "room.obj", "sky": {"color": [0, 0, 0]},
-    "lights": [{"type": "point", "position": [0.3, 2.1, -0.2], "intensity": 30}],
-    "probes": [{"name": "own", "origin": [0.2, 1.3, 0.4], "bounces": "all",
-                "box": {"min": [-2.12, -0.02, -1.42], "max": [1.92, 2.62, 1.72]}}]})");
-  const json report = checked(scene, folder.path("placed.boxprobe.json"));
-  EXPECT_FALSE(report["pictures"]["better"]);
-  EXPECT_TRUE(report["probes"].empty());
-  EXPECT_EQ(report["before"], report["after"]);
-  EXPECT_EQ(report["bareBefore"], report["bareAfter"]);
-  for (const json& room : report["rooms"]) EXPECT_EQ(room["before"], room["after"]) << room["name"];
-}
-
 TEST(PlaceChecked, SaysThatThereIsNoLightToCompareIn) {
   const TemporaryFolder folder;
   folder.write("flat.glb", scenes::glbBytes(madeFlat()));
