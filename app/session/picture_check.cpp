@@ -52,6 +52,7 @@ struct Eye {
   ReferencePicture truth;
   std::vector<float> weights;  ///< per pixel; 0: left out
   double white = 0.0;          ///< brighter counts as that
+  bool judges = false;         ///< some pixel is neither left out nor too noisy
 };
 
 /// Probes as they are measured: with small captures, which show the same errors.
@@ -152,7 +153,7 @@ class Checker {
     const SharedWork* shared = settings_.shared;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       if (shared != nullptr && shared->sharing() && !shared->mine(i)) continue;
-      Eye eye{i, cameras[i].first, cameras[i].second, traced(i, cameras), {}, 0.0};
+      Eye eye{i, cameras[i].first, cameras[i].second, traced(i, cameras), {}, 0.0, false};
       if (!eye.truth.complete) return false;
       const PictureRays rays(cameras[i].second, kWidth, kHeight);
       double sum = 0.0, count = 0.0;
@@ -172,7 +173,11 @@ class Checker {
     surfaces_ = count > 0.0;
     mean_ = surfaces_ ? std::accumulate(sums.begin(), sums.end(), 0.0) / count : 0.0;
     for (std::size_t k = 0; k < eyes_.size(); ++k) {
-      eyes_[k].white = kWhite * std::max(counts[k] > 0.0 ? sums[k] / counts[k] : 0.0, kDim * mean_);
+      Eye& eye = eyes_[k];
+      eye.white = kWhite * std::max(counts[k] > 0.0 ? sums[k] / counts[k] : 0.0, kDim * mean_);
+      for (std::size_t i = 0; i < eye.weights.size() && !eye.judges; ++i) {
+        eye.judges = eye.weights[i] > 0.0f && !noisy(eye, i);
+      }
     }
     return true;
   }
@@ -413,13 +418,13 @@ class Checker {
     return true;
   }
 
-  /// Root mean square over the eyes that `counts` says, with the truth's noise taken off: that is the same for all
-  /// pictures.
+  /// Root mean square over the eyes that judge and for which `counts` is true, with the truth's noise taken off, which
+  /// is the same for all pictures.
   template <class Counts>
   double errorOf(const std::vector<double>& squares, const Counts& counts) const {
     double sum = 0.0, count = 0.0;
     for (std::size_t k = 0; k < eyes_.size(); ++k) {
-      if (!counts(eyes_[k])) continue;
+      if (!eyes_[k].judges || !counts(eyes_[k])) continue;
       sum += squares[k] - noise_[k];
       count += 1.0;
     }

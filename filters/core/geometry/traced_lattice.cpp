@@ -472,11 +472,14 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
     nodes[node] = tracer.trace(base.low + glm::vec3(p) * step);
   });
   std::vector<char> known(count, 1);
-  for (std::size_t node = 0; node < count; ++node) known[node] = nodes[node].known ? 1 : 0;
-  // Fronts and backs mean something where the capture origin sees fronts, and where many nodes are known. Few are of a
-  // round room within a large influence.
-  const bool fills = tracer.trace(glm::vec3(0.0f)).fronts ||
-                     4 * static_cast<std::size_t>(std::count(known.begin(), known.end(), 1)) >= count;
+  std::size_t fronts = 0;
+  for (std::size_t node = 0; node < count; ++node) {
+    known[node] = nodes[node].known ? 1 : 0;
+    fronts += nodes[node].fronts ? 1 : 0;
+  }
+  // Fronts and backs mean something where the capture origin sees fronts, and where many nodes do. Few do of a round
+  // room within a large influence.
+  const bool fills = tracer.trace(glm::vec3(0.0f)).fronts || 4 * fronts >= count;
   cutWays(lattice, fills ? known : std::vector<char>(count, 1), in);
   // What far ends receive is the light of the nodes around them, which see far ends themselves: again, until that makes
   // no difference. Surfaces scatter less than they receive, so that it ends.
