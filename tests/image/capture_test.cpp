@@ -260,6 +260,28 @@ TEST(Capture, AProbeThatCoversAnObjectButIsOneTooManyLeavesTheSky) {
   ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
   picture.scene.sky = SkyColor{{0.0f, 2.0f, 0.0f}};
   for (const char* node : {"sphere 1", "sphere 2", "sphere 3"}) picture.scene.objects[node].visible = false;
+  // Four more important ones touch all of the floor with weight 0: no cut leaves one of them out.
+  for (int i = 0; i < 4; ++i) {
+    Probe above = picture.scene.probes[0];
+    above.name = "above " + std::to_string(i);
+    above.importance = 2.0;
+    above.influence->min.y = 0.0;
+    above.influence->max.y = 0.3 + 0.1 * i;
+    above.blendDistance = BlendDistance{glm::dvec3(0.0, 0.2, 0.0), glm::dvec3(0.0)};
+    picture.scene.probes.push_back(above);
+  }
+  picture.show(cameraNamed(picture.scene, "B"));  // looks down at the floor
+  const ImageRgbaF image = picture.linear(1);
+  const float* middle = &image.pixels[(18 * 64 + 32) * 4];
+  EXPECT_GT(middle[1], 1.0f);
+}
+
+TEST(Capture, ImportantProbesInACornerTakeNothingFromTheRestOfAnObject) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.sky = SkyColor{{0.0f, 2.0f, 0.0f}};
+  for (const char* node : {"sphere 1", "sphere 2", "sphere 3"}) picture.scene.objects[node].visible = false;
+  picture.show(cameraNamed(picture.scene, "B"));  // looks down at the floor's middle
+  const ImageRgbaF alone = picture.linear(1);
   for (int i = 0; i < 4; ++i) {
     Probe small = picture.scene.probes[0];
     small.name = "small " + std::to_string(i);
@@ -267,10 +289,10 @@ TEST(Capture, AProbeThatCoversAnObjectButIsOneTooManyLeavesTheSky) {
     small.influence = Box{{3.9, 0.0, 0.5 * i}, {4.0, 0.1, 0.5 * i + 0.1}};
     picture.scene.probes.push_back(small);
   }
-  picture.show(cameraNamed(picture.scene, "B"));  // looks down at the floor
+  picture.show(cameraNamed(picture.scene, "B"));
   const ImageRgbaF image = picture.linear(1);
-  const float* middle = &image.pixels[(18 * 64 + 32) * 4];
-  EXPECT_GT(middle[1], 1.0f);
+  const std::size_t middle = 4 * (18 * 64 + 32);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(image.pixels[middle + c], alone.pixels[middle + c], 0.01f);
 }
 
 TEST(Capture, BrightTexelsAreClampedAndCounted) {
