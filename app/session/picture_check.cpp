@@ -30,6 +30,8 @@ constexpr int kViewWidth = 96, kViewHeight = 54;                       // for pe
 constexpr std::size_t kLeastEyes = 16, kMostEyes = 64, kRoomEyes = 2;  // at most; of each room, where there are many
 constexpr std::size_t kMostParts = 4, kMostMoved = 4;
 constexpr int kFaceSize = 64;           // of captures: sixteen times as fast as what is drawn later
+constexpr std::size_t kMany = 16;       // probes; more are captured with so many bounces, whatever they ask for:
+constexpr int kBouncesOfMany = 4;       // all of them take three times as long, for light from many rooms away
 constexpr double kGlossy = 4.0;         // weight: a wrong mirror is seen at once
 constexpr double kWhite = 5.0;          // over the mean: lamps seen in mirrors would outweigh rooms
 constexpr double kDim = 0.1;            // of the mean of all eyes: what is darker counts as that bright
@@ -55,17 +57,6 @@ struct Eye {
   bool judges = false;         ///< some pixel is neither left out nor too noisy
 };
 
-/// Probes as they are measured: with small captures, which show the same errors.
-std::vector<Probe> measured(std::vector<Probe> probes) {
-  for (Probe& probe : probes) {
-    if (probe.mode == ProbeMode::Custom) continue;
-    probe.faceSize = std::min(probe.faceSize, kFaceSize);
-    probe.samplesPerPixel = 1;
-    probe.filterSamples = std::min(probe.filterSamples, 32);
-  }
-  return probes;
-}
-
 /// One, or at least so many.
 int bouncesTried(int of, int bounces) {
   return bounces == 1 ? 1 : std::max(of, bounces);
@@ -89,7 +80,8 @@ class Checker {
         shown_(shown),
         progress_(progress),
         settings_(settings),
-        path_(loaded.scene, loaded.models, loadSkyImage(loaded.scene)) {}
+        path_(loaded.scene, loaded.models, loadSkyImage(loaded.scene)),
+        many_(std::max(placement.all().size(), loaded.scene.probes.size()) > kMany) {}
 
   std::optional<PictureCheck> check() {
     const auto begun = std::chrono::steady_clock::now();
@@ -107,6 +99,7 @@ class Checker {
       check_.better = true;
       return check_;
     }
+    expected_ = trialsExpected();
     if (!choose()) return std::nullopt;
     placement_.rate();
     tellRooms();
@@ -117,6 +110,32 @@ class Checker {
 
  private:
   bool report(double done) const { return !progress_ || progress_(done); }
+
+  /// Probes as they are measured: with small captures, which show the same errors. What is said of one trial holds for
+  /// all.
+  std::vector<Probe> measured(std::vector<Probe> probes) const {
+    for (Probe& probe : probes) {
+      if (probe.mode == ProbeMode::Custom) continue;
+      probe.faceSize = std::min(probe.faceSize, kFaceSize);
+      probe.samplesPerPixel = 1;
+      probe.filterSamples = std::min(probe.filterSamples, 32);
+      if (many_) probe.bounces = std::min(probe.bounces, kBouncesOfMany);
+    }
+    return probes;
+  }
+
+  /// So many trials at most; of what is proposed, as far as is known before.
+  double trialsExpected() const {
+    const std::vector<PlacedProbe>& placed = placement_.probes;
+    const auto parts = static_cast<std::size_t>(
+        std::count_if(placed.begin(), placed.end(), [](const PlacedProbe& each) { return each.part; }));
+    std::size_t moves = placed.size() > kMostMoved ? 3 : 0;
+    for (std::size_t i = 0; i < placed.size() && placed.size() <= kMostMoved; ++i) {
+      moves += placed[i].part ? 0 : placement_.rooms[placed[i].room].origins.size();
+    }
+    const std::size_t own = loaded_.scene.probes.empty() ? 0 : 1, boxes = placement_.kept.empty() ? 2 : 0;
+    return static_cast<double>(placed.empty() ? 1 + own : 3 + own + boxes + std::min(parts, kMostParts) + moves);
+  }
 
   /// The eyes of rooms with probes in turn, the first ones of all rooms first; then one of each other room.
   std::vector<std::pair<std::size_t, Camera>> cameras() const {
@@ -240,8 +259,9 @@ class Checker {
 
   /// Nothing if it was stopped.
   std::optional<PictureErrors> errorsWith(const std::vector<Probe>& probes) {
-    ++trials_;
-    const double from = 0.4 + (settings_.views ? 0.3 : 0.6) * std::min(1.0, (trials_ - 1) / kUsualTrials);
+    const double share = (settings_.views ? 0.3 : 0.6) / expected_;
+    const double from = 0.4 + share * std::min(trials_, expected_ - 1.0);
+    trials_ += 1.0;
     if (!report(from)) return std::nullopt;
     Scene scene = loaded_.scene;
     scene.probes = measured(probes);
@@ -249,9 +269,13 @@ class Checker {
     squares_.assign(eyes_.size(), 0.0);
     noise_.assign(eyes_.size(), 0.0);
     const std::string trial = settings_.shared != nullptr ? ContentHash().add(sceneText(scene, "/")).text() : "";
+    const auto eyes = static_cast<double>(eyes_.size());
     for (std::size_t k = 0; k < eyes_.size(); ++k) {
       const Eye& eye = eyes_[k];
-      const auto seen = pictureOf(eye, scene, trial, from);
+      const auto seen = pictureOf(eye, scene, trial, [&](double part) {
+        // Most of the work is the captures, which the first eye asks for.
+        return report(from + share * (k == 0 ? 0.9 * part : 0.9 + 0.1 * static_cast<double>(k) / eyes));
+      });
       if (!seen) return std::nullopt;
       const ImageRgbaF& picture = *seen;
       double truths = 0.0, dim = 0.0;
@@ -285,13 +309,14 @@ class Checker {
   }
 
   /// Nothing if it was stopped. `trial`: fingerprint of the scene, if pictures are shared.
-  std::optional<ImageRgbaF> pictureOf(const Eye& eye, const Scene& scene, const std::string& trial, double done) {
+  std::optional<ImageRgbaF> pictureOf(const Eye& eye, const Scene& scene, const std::string& trial,
+                                      const std::function<bool(double)>& onward) {
     const std::string name = "eye-" + std::to_string(eye.number + 1) + "-" + trial.substr(0, 16);
     if (settings_.shared != nullptr) {
       if (auto known = settings_.shared->findPicture(name, kWidth, kHeight)) return known;
     }
     shown_.show(scene, loaded_.models, {eye.camera});
-    if (!shown_.capture([&](double) { return report(done); })) return std::nullopt;
+    if (!shown_.capture(onward)) return std::nullopt;
     ImageRgbaF picture = shown_.renderer().renderLinear(kWidth, kHeight, 4);
     shown_.requireHealthy();
     if (settings_.shared != nullptr) settings_.shared->keepPicture(name, picture);
@@ -674,7 +699,6 @@ class Checker {
     return probe;
   }
 
-  static constexpr double kUsualTrials = 5.0;
   const LoadedScene& loaded_;
   Placement& placement_;
   OffscreenScene& shown_;
@@ -685,7 +709,8 @@ class Checker {
   Box model_{glm::dvec3(1e300), glm::dvec3(-1e300)};  ///< around all surfaces
   double mean_ = 0.0;                                 ///< light of what the eyes see
   bool surfaces_ = false;                             ///< the eyes see some that count
-  double trials_ = 0.0;
+  bool many_ = false;                                 ///< probes: kMany
+  double trials_ = 0.0, expected_ = 1.0;
   std::vector<double> squares_, bestSquares_, ownSquares_;  ///< by eye: measured last; the best; the scene's own
   std::vector<double> noise_;                               ///< by eye: the truth's
   PictureCheck check_;

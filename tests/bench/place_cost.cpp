@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -128,11 +129,30 @@ Run runPlace(const Options& options, const std::string& scene, double interruptA
   return run;
 }
 
+/// Meshes are divided in turn, those of the most triangles that are drawn last, until there are so many.
+void divideUntil(Model& model, std::size_t triangles) {
+  std::vector<std::size_t> drawn(model.meshes.size());
+  for (const Instance& each : model.instances) {
+    const auto mesh = static_cast<std::size_t>(each.mesh);
+    drawn[mesh] += model.meshes[mesh].indices.size() / 3;
+  }
+  std::vector<std::size_t> order(model.meshes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return drawn[a] < drawn[b]; });
+  std::size_t all = std::accumulate(drawn.begin(), drawn.end(), std::size_t{0});
+  while (all > 0) {
+    for (const std::size_t mesh : order) {
+      if (all >= triangles) return;
+      divide(model.meshes[mesh]);
+      all += 3 * drawn[mesh];
+      drawn[mesh] *= 4;
+    }
+  }
+}
+
 void measure(const Options& options, const std::filesystem::path& folder) {
   scenes::Apartments made = scenes::apartments(options.rooms, 1);
-  while (placedTriangles(made.model) < static_cast<std::size_t>(options.triangles)) {
-    for (Mesh& mesh : made.model.meshes) divide(mesh);
-  }
+  divideUntil(made.model, static_cast<std::size_t>(options.triangles));
   const std::string model = (folder / "house.glb").string(), scene = (folder / "house.boxprobe.json").string();
   std::ofstream(model, std::ios::binary) << scenes::glbBytes(made.model);
   made.scene.models = {ModelFile{model}};
