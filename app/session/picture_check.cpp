@@ -31,7 +31,7 @@ constexpr std::size_t kLeastEyes = 16, kMostEyes = 64, kRoomEyes = 2;  // at mos
 constexpr std::size_t kMostParts = 4, kMostMoved = 4;
 constexpr int kFaceSize = 64;           // of captures: sixteen times as fast as what is drawn later
 constexpr std::size_t kMany = 16;       // probes; more are captured with so many bounces, whatever they ask for:
-constexpr int kBouncesOfMany = 4;       // all of them take three times as long, for light from many rooms away
+constexpr int kBouncesOfMany = 4;       // a dark corridor would have all rooms captured up to four times as often
 constexpr double kGlossy = 4.0;         // weight: a wrong mirror is seen at once
 constexpr double kWhite = 5.0;          // over the mean: lamps seen in mirrors would outweigh rooms
 constexpr double kDim = 0.1;            // of the mean of all eyes: what is darker counts as that bright
