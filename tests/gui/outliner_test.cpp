@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/handles/scene_surfaces.h"
@@ -355,6 +358,32 @@ TEST_F(OutlinerTest, WhatIsHiddenOfOneModelIsNotOfTheNext) {
   EXPECT_TRUE(window_->viewState().hidden(Part::Object, "pillars")) << "it was read again";
   window_->showScene(other);
   EXPECT_FALSE(window_->viewState().hidden(Part::Object, "pillars"));
+}
+
+// Qt compares each range of a selection with each: of thousands of pasted probes that was most of the time.
+TEST_F(OutlinerTest, SelectedRowsThatTouchAreOneRange) {
+  window_->editor().commit("Many", [](Scene& scene) {
+    for (int i = 0; i < 11; ++i) {
+      Probe more = scene.probes.front();
+      more.name = (i == 6 || i == 8 ? "attic " : "p") + std::to_string(i);
+      scene.probes.push_back(more);
+    }
+  });
+  const std::vector<std::size_t> wanted{1, 2, 3, 5, 7, 9, 10, 11};
+  window_->editor().selectProbes(wanted);
+  std::vector<std::size_t> selected;
+  for (std::size_t i = 0; i < document().scene().probes.size(); ++i) {
+    if (tree()->selectionModel()->isSelected(probeRow(i))) selected.push_back(i);
+  }
+  EXPECT_EQ(selected, wanted);
+  std::set<std::pair<QModelIndex, int>> starts;  // rows whose upper neighbour is not selected
+  for (const std::size_t i : wanted) {
+    const QModelIndex row = probeRow(i), above = row.siblingAtRow(row.row() - 1);
+    if (!tree()->selectionModel()->isSelected(above)) starts.emplace(row.parent(), row.row());
+  }
+  ASSERT_GT(starts.size(), 1u);
+  ASSERT_LT(starts.size(), wanted.size());
+  EXPECT_EQ(static_cast<std::size_t>(tree()->selectionModel()->selection().size()), starts.size());
 }
 
 // 300 probes: the tree stays where it was scrolled to, and the keys go where they went, whatever is selected elsewhere.

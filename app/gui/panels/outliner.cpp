@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "app/gui/handles/probe_widget.h"
@@ -67,6 +69,26 @@ class Tree : public QTreeView {
     if (currentIndex() != before) scrollTo(currentIndex());
   }
 };
+
+/// Rows as a selection of as few ranges as they have: the time that a selection takes grows with their square.
+QItemSelection inRuns(const QModelIndexList& rows) {
+  std::map<QModelIndex, std::set<int>> places;  // by parent
+  for (const QModelIndex& row : rows) places[row.parent()].insert(row.row());
+  QItemSelection runs;
+  for (const auto& [parent, numbers] : places) {
+    const QAbstractItemModel& model = *rows.front().model();
+    const auto add = [&, within = parent](int first, int last) {
+      runs.select(model.index(first, OutlinerModel::kName, within), model.index(last, OutlinerModel::kName, within));
+    };
+    int first = *numbers.begin(), last = first;
+    for (const int number : numbers) {
+      if (number > last + 1) add(first, last), first = number;
+      last = number;
+    }
+    add(first, last);
+  }
+  return runs;
+}
 
 }  // namespace
 
@@ -334,16 +356,16 @@ void Outliner::showSelection() {
   const auto selected = editor_.document().selectedProbe();
   const std::vector<std::size_t> probes = editor_.selected();
   rememberSelection();
-  QItemSelection wanted;
+  QModelIndexList rows;
   QModelIndex current;
   if (!state_.objects().empty()) {
     for (const std::string& node : state_.objects()) {
-      if (const QModelIndex row = model_->object(node); row.isValid()) wanted.select(row, row), current = row;
+      if (const QModelIndex row = model_->object(node); row.isValid()) rows.push_back(row), current = row;
     }
   } else {
     const std::set<std::size_t> meant(probes.begin(), probes.end());
     for (const std::size_t place : meant) {
-      if (const QModelIndex row = model_->probe(place); row.isValid()) wanted.select(row, row);
+      if (const QModelIndex row = model_->probe(place); row.isValid()) rows.push_back(row);
     }
     if (selected) current = model_->probe(*selected);
   }
@@ -352,7 +374,7 @@ void Outliner::showSelection() {
   if (current.isValid() && tree_->currentIndex() != current) {
     selection->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
   }
-  selection->select(wanted, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  selection->select(inRuns(rows), QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   enableButtons();
   choosing_ = false;
 }
