@@ -30,8 +30,8 @@ constexpr int kViewWidth = 96, kViewHeight = 54;                       // for pe
 constexpr std::size_t kLeastEyes = 16, kMostEyes = 64, kRoomEyes = 2;  // at most; of each room, where there are many
 constexpr std::size_t kMostParts = 4, kMostMoved = 4;
 constexpr int kFaceSize = 64;           // of captures: sixteen times as fast as what is drawn later
-constexpr std::size_t kMany = 16;       // probes; more are captured with so many bounces, whatever they ask for:
-constexpr int kBouncesOfMany = 4;       // a dark corridor would have all rooms captured up to four times as often
+constexpr std::size_t kMany = 16;       // probes: more are captured with at most kBouncesOfMany
+constexpr int kBouncesOfMany = 4;       // all, 16 at most, would be up to four times the captures
 constexpr double kGlossy = 4.0;         // weight: a wrong mirror is seen at once
 constexpr double kWhite = 5.0;          // over the mean: lamps seen in mirrors would outweigh rooms
 constexpr double kDim = 0.1;            // of the mean of all eyes: what is darker counts as that bright
@@ -99,6 +99,12 @@ class Checker {
       check_.better = true;
       return check_;
     }
+    if (many_) {
+      check_.sentences.push_back(
+          Phrase::tr("pictures of more than %1 probes were compared with at most %2 bounces of light")
+              .arg(std::to_string(kMany))
+              .arg(std::to_string(kBouncesOfMany)));
+    }
     expected_ = trialsExpected();
     if (!choose()) return std::nullopt;
     placement_.rate();
@@ -111,8 +117,8 @@ class Checker {
  private:
   bool report(double done) const { return !progress_ || progress_(done); }
 
-  /// Probes as they are measured: with small captures, which show the same errors. What is said of one trial holds for
-  /// all.
+  /// Probes as they are measured: with small captures, which show the same errors. All trials use the same ones, so
+  /// that their errors compare.
   std::vector<Probe> measured(std::vector<Probe> probes) const {
     for (Probe& probe : probes) {
       if (probe.mode == ProbeMode::Custom) continue;
@@ -124,14 +130,15 @@ class Checker {
     return probes;
   }
 
-  /// So many trials at most; of what is proposed, as far as is known before.
+  /// An estimate: what is chosen on the way decides how many follow. More share the last part of the bar.
   double trialsExpected() const {
     const std::vector<PlacedProbe>& placed = placement_.probes;
     const auto parts = static_cast<std::size_t>(
         std::count_if(placed.begin(), placed.end(), [](const PlacedProbe& each) { return each.part; }));
-    std::size_t moves = placed.size() > kMostMoved ? 3 : 0;
-    for (std::size_t i = 0; i < placed.size() && placed.size() <= kMostMoved; ++i) {
-      moves += placed[i].part ? 0 : placement_.rooms[placed[i].room].origins.size();
+    std::size_t moves = 3;  // of many at once
+    if (placed.size() <= kMostMoved) {
+      moves = 0;
+      for (const PlacedProbe& each : placed) moves += each.part ? 0 : placement_.rooms[each.room].origins.size();
     }
     const std::size_t own = loaded_.scene.probes.empty() ? 0 : 1, boxes = placement_.kept.empty() ? 2 : 0;
     return static_cast<double>(placed.empty() ? 1 + own : 3 + own + boxes + std::min(parts, kMostParts) + moves);
@@ -262,20 +269,16 @@ class Checker {
     const double share = (settings_.views ? 0.3 : 0.6) / expected_;
     const double from = 0.4 + share * std::min(trials_, expected_ - 1.0);
     trials_ += 1.0;
-    if (!report(from)) return std::nullopt;
     Scene scene = loaded_.scene;
     scene.probes = measured(probes);
     double glossy = 0.0, glossyTruths = 0.0, sum = 0.0, truthSum = 0.0;
     squares_.assign(eyes_.size(), 0.0);
     noise_.assign(eyes_.size(), 0.0);
     const std::string trial = settings_.shared != nullptr ? ContentHash().add(sceneText(scene, "/")).text() : "";
-    const auto eyes = static_cast<double>(eyes_.size());
     for (std::size_t k = 0; k < eyes_.size(); ++k) {
       const Eye& eye = eyes_[k];
-      const auto seen = pictureOf(eye, scene, trial, [&](double part) {
-        // Most of the work is the captures, which the first eye asks for.
-        return report(from + share * (k == 0 ? 0.9 * part : 0.9 + 0.1 * static_cast<double>(k) / eyes));
-      });
+      const auto onward = [&](double part) { return report(from + share * shareDone(k, eyes_.size(), part)); };
+      const auto seen = onward(0.0) ? pictureOf(eye, scene, trial, onward) : std::nullopt;
       if (!seen) return std::nullopt;
       const ImageRgbaF& picture = *seen;
       double truths = 0.0, dim = 0.0;
@@ -306,6 +309,13 @@ class Checker {
     if (glossyTruths > 0.0) errors.glossy = std::sqrt(std::max(glossy, 0.0) / glossyTruths);
     if (truthSum > 0.0) errors.light = sum / truthSum;
     return errors;
+  }
+
+  /// Of the work for `count` pictures, while picture `k` is being captured. The first one asks for most captures, in
+  /// large buildings for those near it.
+  static double shareDone(std::size_t k, std::size_t count, double part) {
+    if (k == 0) return 0.5 * part;
+    return 0.5 + 0.5 * (static_cast<double>(k - 1) + part) / static_cast<double>(count - 1);
   }
 
   /// Nothing if it was stopped. `trial`: fingerprint of the scene, if pictures are shared.
@@ -394,7 +404,7 @@ class Checker {
       for (const int bounces : {kRoomBounces, 1}) {
         if (bounces == 1 && !asOpened()) continue;  // what a person has chosen is not lowered
         const std::vector<Probe> others = withBounces(own, bounces);
-        if (others == own) continue;
+        if (measured(others) == measured(own)) continue;
         const auto errors = errorsWith(others);
         if (!errors) return false;
         check_.sentences.push_back(Phrase::tr("the scene's own probes, bounces of light: %1; error %2")
@@ -517,9 +527,11 @@ class Checker {
     const auto draw = [&](const std::vector<Probe>& probes, ImageRgbaF EyePictures::*picture, double from) {
       Scene scene = loaded_.scene;
       scene.probes = measured(probes);
-      for (EyePictures& view : check_.views) {
+      for (std::size_t k = 0; k < check_.views.size(); ++k) {
+        EyePictures& view = check_.views[k];
+        const auto onward = [&](double part) { return report(from + 0.05 * shareDone(k, check_.views.size(), part)); };
         shown_.show(scene, loaded_.models, {view.camera});
-        if (!shown_.capture([&](double) { return report(from); })) return false;
+        if (!onward(0.0) || !shown_.capture(onward)) return false;
         view.*picture = shown_.renderer().renderLinear(kViewWidth, kViewHeight, 8);
         shown_.requireHealthy();
       }
@@ -609,13 +621,14 @@ class Checker {
     for (const int bounces : {kRoomBounces, 1}) {
       if (bounces == 1 && !lower) continue;
       const std::vector<PlacedProbe> still = placement_.probes;
-      bool other = false;
+      const std::vector<Probe> known = measured(placement_.all());
       for (PlacedProbe& placed : placement_.probes) {
-        const int tried = bouncesTried(placed.probe.bounces, bounces);
-        other = other || tried != placed.probe.bounces;
-        placed.probe.bounces = tried;
+        placed.probe.bounces = bouncesTried(placed.probe.bounces, bounces);
       }
-      if (!other) continue;
+      if (measured(placement_.all()) == known) {
+        placement_.probes = still;
+        continue;
+      }
       const auto errors = errorsWith(placement_.all());
       if (!errors) return false;
       const bool better = isBetter(*errors, best);

@@ -61,8 +61,8 @@ struct PictureCheckSettings {
 /// around all rooms and one around all of the model, and the scene's own probes with all bounces, where a bare model's
 /// is as it opened also with one; leaves in `placement` what measured best. If that is not surely better than what the
 /// scene has, it leaves the scene's own probes as those kept. Surely: by 5 %, or by 1 % of which the eyes tell alike,
-/// so that others would, too. Captures are small ones, and of four bounces where there are more than sixteen probes,
-/// for all alike. Nothing if `progress` stopped it; without eyes or light no check, and a sentence that says so.
+/// so that others would, too. Captures are small ones, and of at most four bounces where there are more than sixteen
+/// probes. Nothing if `progress` stopped it; without eyes or light no check, and a sentence that says so.
 std::optional<PictureCheck> checkPictures(const LoadedScene& loaded, Placement& placement, OffscreenScene& shown,
                                           const std::function<bool(double)>& progress,
                                           const PictureCheckSettings& settings = {});

@@ -57,12 +57,14 @@ void divide(Mesh& mesh) {
   mesh.indices = std::move(indices);
 }
 
-std::size_t placedTriangles(const Model& model) {
-  std::size_t count = 0;
+/// Triangles that are drawn of each mesh.
+std::vector<std::size_t> drawnTriangles(const Model& model) {
+  std::vector<std::size_t> drawn(model.meshes.size());
   for (const Instance& each : model.instances) {
-    count += model.meshes[static_cast<std::size_t>(each.mesh)].indices.size() / 3;
+    const auto mesh = static_cast<std::size_t>(each.mesh);
+    drawn[mesh] += model.meshes[mesh].indices.size() / 3;
   }
-  return count;
+  return drawn;
 }
 
 struct Run {
@@ -129,37 +131,34 @@ Run runPlace(const Options& options, const std::string& scene, double interruptA
   return run;
 }
 
-/// Meshes are divided in turn, those of the most triangles that are drawn last, until there are so many.
-void divideUntil(Model& model, std::size_t triangles) {
-  std::vector<std::size_t> drawn(model.meshes.size());
-  for (const Instance& each : model.instances) {
-    const auto mesh = static_cast<std::size_t>(each.mesh);
-    drawn[mesh] += model.meshes[mesh].indices.size() / 3;
-  }
+/// Meshes are divided in turn, those of the most triangles that are drawn last, until there are so many. Returns how
+/// many there are.
+std::size_t divideUntil(Model& model, std::size_t triangles) {
+  std::vector<std::size_t> drawn = drawnTriangles(model);
   std::vector<std::size_t> order(model.meshes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return drawn[a] < drawn[b]; });
   std::size_t all = std::accumulate(drawn.begin(), drawn.end(), std::size_t{0});
-  while (all > 0) {
-    for (const std::size_t mesh : order) {
-      if (all >= triangles) return;
-      divide(model.meshes[mesh]);
-      all += 3 * drawn[mesh];
-      drawn[mesh] *= 4;
-    }
+  for (std::size_t i = 0; all > 0 && all < triangles; ++i) {
+    const std::size_t mesh = order[i % order.size()];
+    if (drawn[mesh] == 0) continue;
+    divide(model.meshes[mesh]);
+    all += 3 * drawn[mesh];
+    drawn[mesh] *= 4;
   }
+  return all;
 }
 
 void measure(const Options& options, const std::filesystem::path& folder) {
   scenes::Apartments made = scenes::apartments(options.rooms, 1);
-  divideUntil(made.model, static_cast<std::size_t>(options.triangles));
+  const std::size_t triangles = divideUntil(made.model, static_cast<std::size_t>(options.triangles));
   const std::string model = (folder / "house.glb").string(), scene = (folder / "house.boxprobe.json").string();
   std::ofstream(model, std::ios::binary) << scenes::glbBytes(made.model);
   made.scene.models = {ModelFile{model}};
   made.scene.probes.clear();  // placed from nothing
   saveSceneFile(made.scene, scene);
-  std::printf("%d rooms and their corridors, %zu triangles, a file of %.0f MiB\n", options.rooms,
-              placedTriangles(made.model), static_cast<double>(std::filesystem::file_size(model)) / 1048576.0);
+  std::printf("%d rooms and their corridors, %zu triangles, a file of %.0f MiB\n", options.rooms, triangles,
+              static_cast<double>(std::filesystem::file_size(model)) / 1048576.0);
   std::fflush(stdout);
   const Run whole = runPlace(options, scene, -1.0);
   if (whole.status != 0) throw WorkError("place failed");

@@ -365,7 +365,7 @@ TEST_F(OutlinerTest, SelectedRowsThatTouchAreOneRange) {
   window_->editor().commit("Many", [](Scene& scene) {
     for (int i = 0; i < 11; ++i) {
       Probe more = scene.probes.front();
-      more.name = (i == 6 || i == 8 ? "attic " : "p") + std::to_string(i);
+      more.name = i == 6 ? "attic a" : i == 8 ? "attic b" : "p" + std::to_string(i);
       scene.probes.push_back(more);
     }
   });
@@ -381,6 +381,7 @@ TEST_F(OutlinerTest, SelectedRowsThatTouchAreOneRange) {
     const QModelIndex row = probeRow(i), above = row.siblingAtRow(row.row() - 1);
     if (!tree()->selectionModel()->isSelected(above)) starts.emplace(row.parent(), row.row());
   }
+  ASSERT_NE(probeRow(7).parent(), probeRow(1).parent());
   ASSERT_GT(starts.size(), 1u);
   ASSERT_LT(starts.size(), wanted.size());
   EXPECT_EQ(static_cast<std::size_t>(tree()->selectionModel()->selection().size()), starts.size());

@@ -37,25 +37,10 @@ Material matte(const vec3& color) {
   return material;
 }
 
-// Six faces of a box, towards its outside or its inside.
-void addBox(Model& model, const std::string& name, const vec3& low, const vec3& high, bool outside, const vec3& color) {
-  const vec3 c = 0.5f * (low + high), h = 0.5f * (high - low);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const float side : {-1.0f, 1.0f}) {
-      vec3 at = c, right(0.0f), up(0.0f);
-      const int r = (axis + 1) % 3, u = (axis + 2) % 3;
-      at[axis] += side * h[axis];
-      right[r] = h[r] * side * (outside ? 1.0f : -1.0f);
-      up[u] = h[u];
-      addSquare(model, name + std::to_string(2 * axis + (side > 0.0f ? 1 : 0)), at, right, up, matte(color));
-    }
-  }
-}
-
 Model room() {
   Model model;
-  addBox(model, "wall", kLow, kHigh, false, kAlbedo);
-  addBox(model, "block", kBlockLow, kBlockHigh, true, vec3(0.25f, 0.4f, 0.6f));
+  addBox(model, "wall", kLow, kHigh, false, matte(kAlbedo));
+  addBox(model, "block", kBlockLow, kBlockHigh, true, matte(vec3(0.25f, 0.4f, 0.6f)));
   Material lamp = glowing(kRadiance);
   lamp.doubleSided = false;
   addSquare(model, "lamp", {-0.7f, 2.65f, 0.3f}, {0.3f, 0, 0}, {0, 0, 0.2f}, lamp);

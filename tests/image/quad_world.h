@@ -26,6 +26,22 @@ inline void addSquare(Model& model, const std::string& node, const glm::vec3& ce
   model.meshes.push_back(std::move(mesh));
 }
 
+/// Six faces of a box, towards its outside or its inside.
+inline void addBox(Model& model, const std::string& node, const glm::vec3& low, const glm::vec3& high, bool outside,
+                   const Material& material) {
+  const glm::vec3 middle = 0.5f * (low + high), half = 0.5f * (high - low);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {-1.0f, 1.0f}) {
+      glm::vec3 at = middle, right(0.0f), up(0.0f);
+      const int r = (axis + 1) % 3, u = (axis + 2) % 3;
+      at[axis] += side * half[axis];
+      right[r] = half[r] * side * (outside ? 1.0f : -1.0f);
+      up[u] = half[u];
+      addSquare(model, node + std::to_string(2 * axis + (side > 0.0f ? 1 : 0)), at, right, up, material);
+    }
+  }
+}
+
 inline Material glowing(const glm::vec3& radiance) {
   Material material;
   material.baseColor = {0.0f, 0.0f, 0.0f, 1.0f};

@@ -5667,6 +5667,10 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>„%1“ bei (%2, %3, %4) aufgenommen: Fehler %5 -&gt; %6, weggelassen</translation>
     </message>
     <message>
+        <source>pictures of more than %1 probes were compared with at most %2 bounces of light</source>
+        <translation>Bilder von mehr als %1 Sonden wurden mit höchstens %2 Abprallern des Lichts verglichen</translation>
+    </message>
+    <message>
         <source>%1 probes captured from elsewhere: error %2 -&gt; %3</source>
         <translation>%1 Sonden von anderswo aufgenommen: Fehler %2 -&gt; %3</translation>
     </message>

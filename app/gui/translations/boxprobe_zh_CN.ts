@@ -5667,6 +5667,10 @@ one lookup, on face %1</source>
         <translation>“%1”在 (%2, %3, %4) 捕捉：误差 %5 -&gt; %6，未采用</translation>
     </message>
     <message>
+        <source>pictures of more than %1 probes were compared with at most %2 bounces of light</source>
+        <translation>探针多于 %1 个时，比较图片所用的光线反弹最多 %2 次</translation>
+    </message>
+    <message>
         <source>%1 probes captured from elsewhere: error %2 -&gt; %3</source>
         <translation>%1 个探针从别处捕捉：误差 %2 -&gt; %3</translation>
     </message>
