@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -72,6 +73,10 @@ GltfText prepareGltf(GltfFile& file, const std::string& json);
 
 /// Throws for required extensions that are unsupported, with advice; warns of others that are ignored.
 void checkExtensions(GltfFile& file, const std::vector<std::string>& required, const std::vector<std::string>& used);
+
+/// Warns of values that are of another type than their field has, once for each field. tinygltf reads most such files
+/// as if the values were missing.
+void warnOfTypes(GltfFile& file, const nlohmann::json& root);
 
 /// EXT_meshopt_compression: decompresses buffer views.
 void unpackMeshopt(GltfFile& file);

@@ -153,6 +153,7 @@ GltfText prepareGltf(GltfFile& file, const std::string& json) {
     used.insert(used.end(), found.begin(), found.end());
     checkExtensions(file, names(root, "extensionsRequired"), used);
     restoreMaterials(file, root);
+    warnOfTypes(file, root);
     takeBuffers(file, root, text);
     takeImages(file, root);
     takeDracoIndices(file, root);
