@@ -20,9 +20,10 @@ std::size_t texelBytes(int faceSize) {
 }  // namespace
 
 bool FlatTexture::fits(const CubeTexture& radiance) {
+  if (!radiance.allocated()) return false;
   const int size = radiance.faceSize();
   const bool halves = (size & (size - 1)) == 0 && size >> (radiance.levels() - 1) > 0;  // down to its last level
-  return radiance.allocated() && halves && size <= kMostFaceSize;
+  return halves && size <= kMostFaceSize;
 }
 
 std::size_t FlatTexture::bytesToMake(const CubeTexture& radiance) const {
