@@ -80,6 +80,7 @@ Run runPlace(const Options& options, const std::string& scene, double interruptA
   std::vector<std::string> words = {options.program, "place", scene};
   if (options.unchecked) words.emplace_back("--unchecked");
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   setenv("BOXPROBE_PROGRESS", "lines", 1);

@@ -98,7 +98,7 @@ class QuadWorld {
     camera.verticalFovDegrees = 2.0;
     renderer->applyCamera(camera);
     const ImageRgbaF image = renderer->renderLinear(9, 9, 1);
-    constexpr std::size_t kMiddle = (4 * 9 + 4) * 4;
+    constexpr std::size_t kMiddle = (4u * 9u + 4u) * 4u;
     const float* middle = &image.pixels[kMiddle];
     return {middle[0], middle[1], middle[2]};
   }

@@ -407,7 +407,7 @@ void Outliner::toggle(const QModelIndex& mark, bool alone) {
       names[static_cast<int>(part)].insert(under.begin(), under.end());
     }
   }
-  const auto& [probes, objects] = names;
+  const ViewState::Names &probes = names[0], &objects = names[1];
   if (probes.empty() && objects.empty()) return;
   if (mark.column() == OutlinerModel::kEye && alone) {
     workspace_.shown().isolate(probes, objects);
