@@ -311,8 +311,8 @@ class Checker {
     return errors;
   }
 
-  /// Of the work for `count` pictures, while picture `k` is being captured. The first one asks for most captures, in
-  /// large buildings for those near it.
+  /// The share of a trial's work that is done while picture `k` of `count` is being captured. The first picture asks
+  /// for most captures; in large buildings it asks for those near it alone.
   static double shareDone(std::size_t k, std::size_t count, double part) {
     if (k == 0) return 0.5 * part;
     return 0.5 + 0.5 * (static_cast<double>(k - 1) + part) / static_cast<double>(count - 1);

@@ -59,43 +59,43 @@ TEST(ModelTypes, RightOnesAreNotTold) {
 
 TEST(ModelTypes, EachKindIsToldWithPlaceAndValue) {
   EXPECT_EQ(warning("/scene", "0"), "scene: must be a whole number, 0 or more, not \"0\"");
-  EXPECT_EQ(warning("/nodes", 4), "nodes: must be a list of objects, not 4");
-  EXPECT_EQ(warning("/nodes/1", 4), "nodes: must be a list of objects, not a list of 3");
-  EXPECT_EQ(warning("/extensionsUsed", {3}), "extensionsUsed: must be a list of texts, not a list of 1");
-  EXPECT_EQ(warning("/scenes/0/nodes", {0, -1}),
-            "scenes[0].nodes: must be a list of whole numbers, 0 or more, not a list of 2");
+  EXPECT_EQ(warning("/nodes", 4), "nodes: must be a list of objects in brackets, not 4");
+  EXPECT_EQ(warning("/nodes/1", 4), "nodes[1]: must be an object in braces, not 4");
+  EXPECT_EQ(warning("/extensionsUsed", {3}), "extensionsUsed[0]: must be text in quotes, not 3");
+  EXPECT_EQ(warning("/scenes/0/nodes", Json::parse("[0, -1]")),
+            "scenes[0].nodes[1]: must be a whole number, 0 or more, not -1");
   EXPECT_EQ(warning("/nodes/0/mesh", -1), "nodes[0].mesh: must be a whole number, 0 or more, not -1");
-  EXPECT_EQ(warning("/nodes/0/name", 7), "nodes[0].name: must be a text, not 7");
-  EXPECT_EQ(warning("/nodes/0/translation", "far"), "nodes[0].translation: must be a list of 3 numbers, not \"far\"");
-  EXPECT_EQ(warning("/nodes/0/translation", {1, 2}),
-            "nodes[0].translation: must be a list of 3 numbers, not a list of 2");
-  EXPECT_EQ(warning("/nodes/0/weights", {"a"}), "nodes[0].weights: must be a list of numbers, not a list of 1");
-  EXPECT_EQ(warning("/nodes/1/matrix/5", nullptr), "nodes[1].matrix: must be a list of 16 numbers, not a list of 16");
+  EXPECT_EQ(warning("/nodes/0/name", 7), "nodes[0].name: must be text in quotes, not 7");
+  EXPECT_EQ(warning("/nodes/0/translation", "far"), "nodes[0].translation: must be 3 numbers in brackets, not \"far\"");
+  EXPECT_EQ(warning("/nodes/0/translation", {1, 2}), "nodes[0].translation: must be 3 numbers in brackets, not [1,2]");
+  EXPECT_EQ(warning("/nodes/1/matrix", {1, 0, 0, 0, 1}),
+            "nodes[1].matrix: must be 16 numbers in brackets, not a list of 5");
+  EXPECT_EQ(warning("/nodes/0/weights", {"a"}), "nodes[0].weights[0]: must be a number, not \"a\"");
+  EXPECT_EQ(warning("/nodes/1/matrix/5", nullptr), "nodes[1].matrix[5]: must be a number, not null");
   EXPECT_EQ(warning("/meshes/0/primitives/0/mode", 4.0),
             "meshes[0].primitives[0].mode: must be a whole number, 0 or more, not 4.0");
   EXPECT_EQ(warning("/materials/0/doubleSided", 1), "materials[0].doubleSided: must be true or false, not 1");
   EXPECT_EQ(warning("/materials/0/pbrMetallicRoughness", true),
-            "materials[0].pbrMetallicRoughness: must be an object, not true");
+            "materials[0].pbrMetallicRoughness: must be an object in braces, not true");
   EXPECT_EQ(warning("/materials/0/pbrMetallicRoughness/metallicFactor", "0"),
             "materials[0].pbrMetallicRoughness.metallicFactor: must be a number, not \"0\"");
   EXPECT_EQ(warning("/materials/0/emissiveFactor", {1, 1, 1, 1}),
-            "materials[0].emissiveFactor: must be a list of 3 numbers, not a list of 4");
+            "materials[0].emissiveFactor: must be 3 numbers in brackets, not [1,1,1,1]");
   EXPECT_EQ(warning("/cameras/0/perspective/yfov", Json::object()),
             "cameras[0].perspective.yfov: must be a number, not an object");
 }
 
 TEST(ModelTypes, TexturesAndExtensionsAreToldAsWell) {
-  EXPECT_EQ(warning("/materials/0/normalTexture", 0), "materials[0].normalTexture: must be an object, not 0");
+  EXPECT_EQ(warning("/materials/0/normalTexture", 0), "materials[0].normalTexture: must be an object in braces, not 0");
   EXPECT_EQ(warning("/materials/0/normalTexture/index", "0"),
             "materials[0].normalTexture.index: must be a whole number, 0 or more, not \"0\"");
-  EXPECT_EQ(
-      warning("/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset", 1),
-      "materials[0].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.offset: must be a list "
-      "of 2 numbers, not 1");
+  EXPECT_EQ(warning("/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset", 1),
+            "materials[0].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.offset: must be 2 "
+            "numbers in brackets, not 1");
   EXPECT_EQ(warning("/materials/0/extensions/KHR_materials_ior", 1.4),
-            "materials[0].extensions.KHR_materials_ior: must be an object, not 1.4");
+            "materials[0].extensions.KHR_materials_ior: must be an object in braces, not 1.4");
   EXPECT_EQ(warning("/materials/0/extensions", Json::array()),
-            "materials[0].extensions: must be an object, not a list of 0");
+            "materials[0].extensions: must be an object in braces, not []");
   EXPECT_EQ(warning("/extensions/KHR_lights_punctual/lights/0/intensity", "bright"),
             "extensions.KHR_lights_punctual.lights[0].intensity: must be a number, not \"bright\"");
   EXPECT_EQ(warning("/extensions/KHR_lights_punctual/lights/0/spot/outerConeAngle", false),
@@ -107,8 +107,8 @@ TEST(ModelTypes, OneLineAFieldHoweverMany) {
   for (int i = 0; i < 5; ++i) root["materials"].push_back({{"alphaCutoff", "a\nb" + std::string(100, 'c')}});
   root["materials"][3]["alphaCutoff"] = 0.25;
   root["materials"][2]["doubleSided"] = "yes";
-  EXPECT_THAT(warnings(root), ElementsAre("materials[1].alphaCutoff: must be a number, not \"a b" +
-                                              std::string(37, 'c') + "\"; 3 more like it",
+  EXPECT_THAT(warnings(root), ElementsAre("materials[1].alphaCutoff: must be a number, not \"a\\nb" +
+                                              std::string(32, 'c') + "...; 3 more like it",
                                           "materials[2].doubleSided: must be true or false, not \"yes\""));
 }
 

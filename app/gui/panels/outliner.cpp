@@ -70,7 +70,7 @@ class Tree : public QTreeView {
   }
 };
 
-/// Rows as a selection in which neighbours are one range: Qt's time grows with the square of the ranges' count.
+/// Rows as a selection in which neighbours are one range: Qt's time grows with the square of their number.
 QItemSelection inRuns(const QModelIndexList& rows) {
   std::map<QModelIndex, std::set<int>> places;  // by parent
   for (const QModelIndex& row : rows) places[row.parent()].insert(row.row());

@@ -10,6 +10,7 @@
 
 #include "filters/core/base/one_line.h"
 #include "filters/io/gltf/gltf_parts.h"
+#include "filters/io/json/json_excerpt.h"
 
 namespace boxprobe {
 
@@ -18,10 +19,10 @@ namespace {
 using GltfJson = nlohmann::json;
 
 struct Type {
-  const char* name;
-  bool (*has)(const GltfJson&);  ///< of each element, if it is a list
-  bool list = false;
-  std::size_t count = 0;  ///< of the list; 0: any
+  const char* name;              ///< of each element, if it is a list
+  bool (*has)(const GltfJson&);  ///< a value or an element
+  const char* many = nullptr;    ///< elements; null: no list
+  std::size_t count = 0;         ///< of the list; 0: any
 };
 
 bool isNumber(const GltfJson& value) {
@@ -38,13 +39,13 @@ bool isObject(const GltfJson& value) {
 }
 
 constexpr Type kNumber{"a number", isNumber}, kWhole{"a whole number, 0 or more", isWhole};
-constexpr Type kNumbers{"numbers", isNumber, true}, kWholes{"whole numbers, 0 or more", isWhole, true};
-constexpr Type kText{"a text", isText}, kObject{"an object", isObject};
-constexpr Type kTexts{"texts", isText, true}, kObjects{"objects", isObject, true};
+constexpr Type kText{"text in quotes", isText}, kObject{"an object in braces", isObject};
+constexpr Type kNumbers{kNumber.name, isNumber, "numbers"}, kWholes{kWhole.name, isWhole, "whole numbers"};
+constexpr Type kTexts{kText.name, isText, "texts"}, kObjects{kObject.name, isObject, "objects"};
 constexpr Type kFlag{"true or false", [](const GltfJson& value) { return value.is_boolean(); }};
 
 constexpr Type numbers(std::size_t count) {
-  return {"numbers", isNumber, true, count};
+  return {kNumbers.name, kNumbers.has, kNumbers.many, count};
 }
 
 struct Field {
@@ -189,22 +190,8 @@ bool isTexture(std::string_view key) {
   return key.size() > kEnd.size() && key.substr(key.size() - kEnd.size()) == kEnd;
 }
 
-bool hasType(const GltfJson& value, const Type& type) {
-  if (!type.list) return type.has(value);
-  return value.is_array() && (type.count == 0 || value.size() == type.count) &&
-         std::all_of(value.begin(), value.end(), type.has);
-}
-
-std::string typeText(const Type& type) {
-  if (!type.list) return type.name;
-  return "a list of " + (type.count > 0 ? std::to_string(type.count) + " " : std::string()) + type.name;
-}
-
-std::string valueText(const GltfJson& value) {
-  if (value.is_object()) return "an object";
-  if (value.is_array()) return "a list of " + std::to_string(value.size());
-  if (value.is_string()) return "\"" + value.get<std::string>().substr(0, 40) + "\"";
-  return value.dump();
+std::string listText(const Type& type) {
+  return (type.count > 0 ? std::to_string(type.count) + " " : "a list of ") + type.many + " in brackets";
 }
 
 /// Where a value stands: a member of what is above, or an element of its list.
@@ -238,7 +225,7 @@ class TypeCheck {
         continue;
       }
       const Field* field = fieldOf(within, key);
-      if (field != nullptr && !hasType(value, field->type)) note(*field, place, value);
+      if (field != nullptr) check(*field, place, value);
       if (key == "attributes" || key == "targets") continue;  // names of any kind
       if (value.is_object()) visit(value, key, &place);
       if (!value.is_array()) continue;
@@ -276,22 +263,38 @@ class TypeCheck {
 
   /// Of others than these nothing is known.
   void visitExtensions(const GltfJson& extensions, const Place* above) {
-    if (!extensions.is_object()) return note(kExtension, *above, extensions);
+    check(kExtension, *above, extensions);
+    if (!extensions.is_object()) return;
     for (const auto& [name, extension] : extensions.get_ref<const GltfJson::object_t&>()) {
       if (fields_.count(name) == 0) continue;
       const Place place{above, name};
-      if (!extension.is_object()) note(kExtension, place, extension);
+      check(kExtension, place, extension);
       visit(extension, name, &place);
     }
   }
 
-  void note(const Field& field, const Place& place, const GltfJson& value) {
+  void check(const Field& field, const Place& place, const GltfJson& value) {
+    const Type& type = field.type;
+    if (type.many == nullptr) {
+      if (!type.has(value)) note(field, place, type.name, value);
+      return;
+    }
+    if (!value.is_array() || (type.count > 0 && value.size() != type.count)) {
+      note(field, place, listText(type), value);
+      return;
+    }
+    const auto wrong = std::find_if_not(value.begin(), value.end(), type.has);
+    if (wrong == value.end()) return;
+    note(field, {&place, {}, static_cast<std::size_t>(wrong - value.begin()), true}, type.name, *wrong);
+  }
+
+  void note(const Field& field, const Place& place, const std::string& wanted, const GltfJson& value) {
     for (Wrong& wrong : found_) {
       if (wrong.field != &field) continue;
       ++wrong.count;
       return;
     }
-    found_.push_back({&field, placeText(place) + ": must be " + typeText(field.type) + ", not " + valueText(value)});
+    found_.push_back({&field, placeText(place) + ": must be " + wanted + ", not " + excerpt(value)});
   }
 
   std::map<std::string_view, std::vector<const Field*>> fields_;

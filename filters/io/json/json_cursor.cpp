@@ -6,22 +6,9 @@
 #include <limits>
 
 #include "filters/core/base/nearest_name.h"
+#include "filters/io/json/json_excerpt.h"
 
 namespace boxprobe {
-
-namespace {
-
-/// The value as text, shortened for messages.
-std::string excerpt(const Json& value) {
-  if (value.is_object()) return "an object";
-  if (value.is_array() && value.size() > 4) return "an array of " + std::to_string(value.size());
-  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  constexpr std::size_t kLongest = 40;
-  if (text.size() > kLongest) text = text.substr(0, kLongest - 3) + "...";
-  return text;
-}
-
-}  // namespace
 
 void JsonCursor::wrongType(const std::string& wanted) const {
   fail("must be " + wanted + ", not " + excerpt(*value_));
