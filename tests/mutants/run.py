@@ -429,6 +429,8 @@ def configure():
     if shutil.which("ccache"):
         options += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache",
                     "-DCMAKE_CXX_FLAGS=-fpch-preprocess"]  # else it keeps nothing that reads precompiled headers
+    if shutil.which("mold"):
+        options += [f"-DCMAKE_{kind}_LINKER_FLAGS=-fuse-ld=mold" for kind in ("EXE", "SHARED", "MODULE")]
     if not os.path.exists(os.path.join(BUILD, "build.ninja")):
         subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", *options], check=True,
                        stdout=subprocess.DEVNULL)
