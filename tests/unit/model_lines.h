@@ -1,0 +1,39 @@
+// A model as lines of text, one for each value that is not the default, for tests that compare all of it with a file in
+// tests/unit/values. After a change that is wanted, BOXPROBE_WRITE_MODEL_VALUES=1 writes these files anew.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "filters/core/scene/model.h"
+
+namespace boxprobe {
+
+/// Paths in warnings are shortened by `folder`. Pictures are listed by their pixels. Of the first material the defaults
+/// are listed, too, if `defaults` is set.
+std::vector<std::string> modelLines(const Model& model, const std::string& folder, bool defaults = false);
+
+/// What `operation` fails with, shortened by `folder`; else the lines of its model.
+template <typename Operation>
+std::vector<std::string> linesOrError(const Operation& operation, const std::string& folder);
+
+/// The lines of `after` that `before` lacks, or, if there are none, those that it has no longer; of many the first.
+std::string differenceOf(const std::vector<std::string>& before, const std::vector<std::string>& after);
+
+/// Lines that a test found, against those of the file `name` in tests/unit/values; numbers may differ in their last
+/// digits. If the environment has BOXPROBE_WRITE_MODEL_VALUES, the file is written anew instead.
+void expectKeptValues(const std::string& name, const std::vector<std::string>& lines);
+
+/// Without the folder of the test, whose name is another one each time.
+std::string withoutFolder(std::string text, const std::string& folder);
+
+template <typename Operation>
+std::vector<std::string> linesOrError(const Operation& operation, const std::string& folder) {
+  try {
+    return modelLines(operation(), folder);
+  } catch (const std::exception& problem) {
+    return {"! " + withoutFolder(problem.what(), folder)};
+  }
+}
+
+}  // namespace boxprobe
