@@ -32,7 +32,7 @@ BenchResult oddResult() {
   result.timedCamera = "main";
   result.seed = 5;
   result.cameras = {"main", "a \"low\" one"};
-  result.roughnesses = {0.0, 0.25, 0.7};
+  result.roughnesses = {0.0, 0.05, 0.25, 0.7};
   result.techniques =
       chooseBenchTechniques("godot:power=2,footprint4,auto:budget=0.03,raytraced:samples=16:filtered=true");
   result.remarks = {"what was left out", "and what else"};
