@@ -52,6 +52,23 @@ TEST(MirrorPlane, IsFoundWithItsRectangle) {
   EXPECT_NEAR(glm::distance(moved->center, glm::dvec3(1.0e6, 7.0, -3.5)), 0.0, 1.0e-9);
 }
 
+// The middle of a tilted triangle's bounds is not in its plane.
+TEST(MirrorPlane, OfATiltedTriangleIsItsOwn) {
+  auto model = std::make_shared<Model>();
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 1}, {0, 1, 1}};
+  mesh.indices = {0, 1, 2};
+  model->meshes.push_back(mesh);
+  model->instances.push_back({"pane", 0, glm::dmat4(1.0)});
+  const auto plane = mirrorPlane(paneScene(), {model}, "pane");
+  ASSERT_TRUE(plane);
+  EXPECT_NEAR(glm::distance(plane->normal, glm::normalize(glm::dvec3(-1, -1, 1))), 0.0, 1e-12);
+  for (const glm::vec3& p : mesh.positions) {
+    EXPECT_NEAR(glm::dot(glm::dvec3(p) - plane->center, plane->normal), 0.0, 1e-12);
+  }
+  for (const glm::dvec3& corner : plane->corners) EXPECT_NEAR(glm::dot(corner, plane->normal), 0.0, 1e-12);
+}
+
 TEST(MirrorPlane, WhatIsNotFlatIsRefusedByName) {
   const Scene scene = paneScene();
   EXPECT_NO_THROW(checkMirrors(scene, pane(1.0e-4f)));

@@ -1,5 +1,6 @@
 #include "filters/core/geometry/mirror_plane.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -73,11 +74,17 @@ std::optional<MirrorPlane> mirrorPlane(const Scene& scene, const std::vector<std
     fail("is not a planar mirror: its triangles face different ways; name a node that is one flat surface");
   }
   plane.normal = glm::normalize(sum);
-  double off = 0.0;
+  // The middle of the bounds need not lie in the plane: that of a tilted triangle does not.
+  double below = std::numeric_limits<double>::max(), above = -below;
   for (const auto& t : surface.triangles) {
-    for (const glm::dvec3& p : t) off = std::max(off, std::fabs(glm::dot(p - plane.center, plane.normal)));
+    for (const glm::dvec3& p : t) {
+      const double height = glm::dot(p - plane.center, plane.normal);
+      below = std::min(below, height);
+      above = std::max(above, height);
+    }
   }
-  // Relative to the centre of the bounds, which lies in the plane of a flat surface.
+  plane.center += 0.5 * (below + above) * plane.normal;
+  const double off = 0.5 * (above - below);
   if (off > kFlat * size) {
     fail("is not planar: its geometry stands " + numberText(static_cast<float>(off)) +
          " off its plane, and may no more than " + numberText(static_cast<float>(kFlat * size)) +
