@@ -5,10 +5,28 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/kept_values.h"
+#include "tests/unit/explained_hall.h"
 #include "tests/unit/explained_room.h"
 
 namespace boxprobe {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Numbers with five digits; of long lists the first two.
+std::string shortText(const Json& json) {
+  if (json.is_number_float()) return test::keptNumber(json.get<double>());
+  if (!json.is_structured()) return json.dump();
+  std::string text;
+  std::size_t count = 0;
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_array() && value.is_structured() && ++count > 2)
+      return text + " of " + std::to_string(json.size()) + "]";
+    text += (text.empty() ? "" : " ") + (json.is_object() ? key + "=" : std::string()) + shortText(value);
+  }
+  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
 
 TEST(ExplanationJson, HoldsTheDocumentedFields) {
   const Explanation e = ExplainedRoom().explain();
@@ -71,6 +89,27 @@ TEST(ExplanationJson, WhatIsUndefinedIsNull) {
   const auto background = nlohmann::json::parse(explanationJson(Explanation{}));
   EXPECT_TRUE(background["positionWorld"].is_null());
   EXPECT_EQ(background["background"], true);
+}
+
+// After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+TEST(ExplanationJson, ValuesAreKept) {
+  std::vector<std::string> lines;
+  for (const test::HallCase& each : test::hallCases()) {
+    test::HallPixel pixel;
+    each.change(pixel);
+    Explanation e = pixel.explain();
+    if (each.name.size() % 2 == 0) e.rendered = e.color * 1.03f + 0.002f;
+    const Json json = Json::parse(explanationJson(e, verdictOf(e, pixel.scene)));
+    lines.push_back("== " + each.name);
+    for (const auto& [key, value] : json.items()) {
+      if (key != "probes") lines.push_back(key + " " + shortText(value));
+    }
+    for (const Json& probe : json["probes"]) {
+      lines.push_back("probe");
+      for (const auto& [key, value] : probe.items()) lines.push_back("  " + key + " " + shortText(value));
+    }
+  }
+  test::expectKeptValues("tests/unit/values/json_values.txt", lines);
 }
 
 TEST(ExplanationJson, NamesOfAnyBytesAreWritten) {
