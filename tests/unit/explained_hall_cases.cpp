@@ -253,6 +253,18 @@ const std::vector<HallCase>& hallCases() {
          p.in.openness = hallMaps().openness;
        }},
       {"the sky alone", [](HallPixel& p) { sky(p); }},
+      {"just short of the box's floor",
+       [](HallPixel& p) {
+         p.in.surface.positionWorld.y = 0.0997;
+         p.seeFrom({-0.6, 1.5, 1.9});
+       }},
+      {"beside one influence box, near the edge of another side",
+       [](HallPixel& p) {
+         p.in.probes.resize(1);
+         p.scene.probes.resize(1);
+         p.in.surface.positionWorld = {2.42, -0.03, 0.9};
+         p.seeFrom({1.6, 1.5, 2.2});
+       }},
       {"in the blend distance",
        [](HallPixel& p) {
          p.in.probes.resize(1);

@@ -228,7 +228,8 @@ Scene House::scene() const {
   light(LightType::Point, {0.1, 2.5, 0.6}, {}, 1.4f);           // at the ceiling lamp
   light(LightType::Spot, {1.4, 1.1, 3.0}, {0, 0, -1}, 900.0f);  // at the round lamp, and much stronger
   light(LightType::Point, {1.9, 0.4, 1.4}, {}, 0.7f);
-  light(LightType::Point, {0.9, 1.4, 2.4}, {}, 0.0f);  // off
+  light(LightType::Point, {0.9, 1.4, 2.4}, {}, 0.0f);      // off
+  light(LightType::Point, {-1.84, 1.1, 2.56}, {}, 40.0f);  // within the box lamp, and much stronger
   scene.lights[5].shadows = LightShadows::Coverage;
   scene.lights[0].range = 6.0;
   scene.lights[1].radius = 0.21;

@@ -21,6 +21,9 @@
 #include "filters/core/geometry/probe_index.h"
 #include "filters/core/geometry/probe_shares.h"
 #include "filters/core/geometry/rotation_degrees.h"
+#include "filters/core/picture/cube_picture.h"
+#include "filters/core/picture/pareto_front.h"
+#include "filters/core/picture/probe_color.h"
 #include "tests/support/kept_values.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/unit/geometry_house.h"
@@ -277,7 +280,9 @@ void addProbes(Lines& lines) {
     addPolygon(lines, {boxCornersWorld(probe.box, rotationMatrix(probe.rotationDegrees), {0.1, 0.2, 0.3})[1],
                        boxCornersWorld(probe.box, rotationMatrix(probe.rotationDegrees), {0.1, 0.2, 0.3})[6]});
     for (const Box& object : {Box{{-1.0, 0.2, -3.4}, {0.4, 1.1, -2.7}}, Box{{1.2, 0.4, 1.0}, {3.9, 1.3, 2.2}},
-                              Box{{-2.9, 0.4, -1.0}, {-1.9, 1.3, 0.2}}, Box{{-0.2, 0.9, -3.1}, {0.1, 1.2, -2.9}}}) {
+                              Box{{-2.9, 0.4, -1.0}, {-1.9, 1.3, 0.2}}, Box{{-0.2, 0.9, -3.1}, {0.1, 1.2, -2.9}},
+                              Box{{0.1, 1.0, 0.2}, {0.6, 1.6, 0.9}}, Box{{-0.6, 1.12, -3.18}, {-0.5, 1.25, -3.12}},
+                              Box{{-0.6, 1.12, -3.18}, {0.9, 1.25, -3.12}}}) {
       lines.push_back("  weight " + keptNumber(objectWeight(probe, object)) +
                       (fullWeightEverywhere(probe, object) ? " full" : ""));
     }
@@ -381,6 +386,68 @@ void addPieces(Lines& lines) {
   }
 }
 
+void addPictures(Lines& lines) {
+  lines.emplace_back("== pictures");
+  CubeMap cube(8, 3);
+  for (int level = 0; level < 3; ++level) {
+    const int size = cube.levelSize(level);
+    for (int i = 0; i < 6 * size * size; ++i) {
+      const glm::vec4 value(0.02f * static_cast<float>(i * 37 % 61), 0.03f * static_cast<float>(i * 17 % 43),
+                            0.05f * static_cast<float>(i % 29), 1.0f);
+      cube.setTexel(level, i / (size * size), i % size, i / size % size, value);
+    }
+  }
+  for (const CubePictureKind kind : {CubePictureKind::Cross, CubePictureKind::LatLong}) {
+    for (const int width : {3, 21, 77, 130}) {
+      const CubePicture picture(kind, width);
+      lines.push_back("picture " + std::to_string(picture.width()) + " x " + std::to_string(picture.height()));
+      for (int level = 0; level < 3; ++level) {
+        const ImageRgba8 drawn = drawCubePicture(cube, level, picture, 0.7f, level == 1 ? Tone::Aces : Tone::None);
+        for (std::size_t c = 0; c < 4; ++c) {
+          std::vector<double> values;
+          for (std::size_t i = c; i < drawn.pixels.size(); i += 4) values.push_back(drawn.pixels[i] / 255.0);
+          lines.push_back("  level " + std::to_string(level) + " " + digest(values));
+        }
+      }
+    }
+    const CubePicture picture(kind, 120);
+    for (const glm::vec3& d : {glm::vec3(1, 0.3f, 0.2f), glm::vec3(-2, 0.5f, 0.7f), glm::vec3(0.2f, 3, -0.4f),
+                               glm::vec3(0.1f, -1, 0.6f), glm::vec3(0.3f, 0.2f, 1), glm::vec3(0.1f, -0.4f, -1)}) {
+      const glm::dvec2 at = picture.position(d);
+      const auto back = picture.direction(at);
+      lines.push_back("  at " + keptNumber(at.x) + " " + keptNumber(at.y) + " back " +
+                      (back ? keptVector(glm::normalize(*back)) : "none"));
+    }
+    for (const glm::dvec2& at : {glm::dvec2(3.0, 2.0), glm::dvec2(45.0, 4.0), glm::dvec2(119.9, 59.9),
+                                 glm::dvec2(-1.0, 45.0), glm::dvec2(120.1, 45.0), glm::dvec2(50.0, 89.0)}) {
+      const auto direction = picture.direction(at);
+      lines.push_back("  along " + (direction ? keptVector(glm::normalize(*direction)) : "none"));
+    }
+    for (int face = 0; face < 6; ++face) {
+      for (const int column : {0, 2, 3}) {
+        std::string text = "  outline";
+        for (const glm::dvec2& p : picture.texelOutline(4, face, column, 3 - face % 3)) {
+          text += " " + keptNumber(p.x, 4) + " " + keptNumber(p.y, 4);
+        }
+        lines.push_back(text);
+      }
+    }
+  }
+  std::vector<ParetoPoint> points;
+  for (const auto& [cost, error] :
+       {std::pair(1.0, 0.5), {1.0, 0.5}, {2.0, 0.4}, {2.0, 0.6}, {3.0, 0.4}, {0.5, 0.9}, {4.0, 0.1}}) {
+    ParetoPoint point;
+    point.cost = cost;
+    point.error = error;
+    points.push_back(point);
+  }
+  markParetoFront(points);
+  std::string front = "front";
+  for (const ParetoPoint& point : points) front += point.onParetoFront ? " yes" : " no";
+  lines.push_back(front);
+  for (int i = 0; i < 9; ++i) lines.push_back("color " + keptVector(probeColor(i)));
+}
+
 TEST(GeometryValues, AreKept) {
   Lines lines;
   addLamps(lines);
@@ -389,6 +456,7 @@ TEST(GeometryValues, AreKept) {
   addMirrors(lines);
   addProbes(lines);
   addPieces(lines);
+  addPictures(lines);
   expectKeptValues("tests/unit/values/geometry_values.txt", lines);
 }
 

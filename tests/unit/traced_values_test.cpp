@@ -164,9 +164,10 @@ void addLattices(Lines& lines) {
 
 void addOutdoors(Lines& lines) {
   House bench;
-  bench.panels.erase(std::remove_if(bench.panels.begin(), bench.panels.end(),
-                                    [](const Panel& p) { return p.node != "table" && p.node != "screen"; }),
-                     bench.panels.end());
+  bench.panels.erase(
+      std::remove_if(bench.panels.begin(), bench.panels.end(),
+                     [](const Panel& p) { return p.node != "table" && p.node != "screen" && p.node != "box lamp"; }),
+      bench.panels.end());
   const Box around{{-0.7, 0.0, 0.4}, {1.63, 1.5, 1.9}};
   lines.emplace_back("== outdoors");
   const SkyOpenness open = tracedSkyOpenness(bench, {{-0.9, 0.4, 0.3}, {1.8, 0.9, 1.5}});
