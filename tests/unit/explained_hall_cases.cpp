@@ -70,6 +70,7 @@ MovingMap movingMap(int index) {
       glm::dmat4(0.21, 0.03, 0.02, 0.01, 0.02, 0.05, 0.23, 0.02, 0.04, 0.19, 0.01, 0.03, 0.31, 0.36, 0.44, 1.0);
   map.apart = {0.11, 0.07};
   map.off = 0.05;
+  if (index == 1) map.mapFromWorld[3].w = -2.0;  // behind it
   return map;
 }
 
@@ -181,7 +182,7 @@ const std::vector<HallCase>& hallCases() {
        [](HallPixel& p) {
          shadows(p);
          coat(p);
-         p.in.movingMaps = {movingMap(0), movingMap(2)};
+         p.in.movingMaps = {movingMap(0), movingMap(2), movingMap(1)};
          p.in.sunMaps = {movingMap(2)};
          p.in.movingMaps[1].mapFromWorld[3].x += 0.13;
        }},
@@ -224,7 +225,7 @@ const std::vector<HallCase>& hallCases() {
        [](HallPixel& p) {
          glass(p, "thin", 1, false);
          p.in.glass->object.sheet = true;
-         p.in.glass->straightAngle = 0.02f;
+         p.in.surface.roughness = 0.03f;
        }},
       {"glass under lamps by the sky",
        [](HallPixel& p) {
@@ -264,6 +265,13 @@ const std::vector<HallCase>& hallCases() {
          p.scene.probes.resize(1);
          p.in.surface.positionWorld = {2.42, -0.03, 0.9};
          p.seeFrom({1.6, 1.5, 2.2});
+       }},
+      {"far beside one influence box",
+       [](HallPixel& p) {
+         p.in.probes.resize(1);
+         p.scene.probes.resize(1);
+         p.in.surface.positionWorld = {4.4, 0.3, -0.9};
+         p.seeFrom({3.6, 1.5, -0.2});
        }},
       {"in the blend distance",
        [](HallPixel& p) {

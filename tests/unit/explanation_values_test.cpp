@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "filters/core/scene/surface_view.h"
+#include "filters/explain/explain_shadow.h"
 #include "filters/explain/explanation_text.h"
 #include "filters/explain/schematic.h"
 #include "filters/explain/surface_value.h"
@@ -20,8 +21,8 @@ using Lines = std::vector<std::string>;
 void addText(Lines& lines, const Explanation& e, const Scene& scene) {
   ExplanationDetail detail;
   detail.texelsPerLookup = 2;
-  detail.lookupsPerProbe = 3;
-  detail.lookupsOfMany = 2;
+  detail.lookupsPerProbe = 2;
+  detail.lookupsOfMany = 1;
   detail.texelValue = [](const ProbeExplanation& p, const TexelShare& t) -> std::optional<glm::vec3> {
     if (p.index == 1) return std::nullopt;
     return glm::vec3(hallMaps().hall.radiance.texel(t.level, t.face, t.column, t.row));
@@ -106,6 +107,15 @@ TEST(ExplanationValues, AreKeptOfEveryKindOfPixel) {
     lines.push_back("== " + each.name);
     addText(lines, e, pixel.scene);
     addRest(lines, e);
+    // Within the maps of what moves, at their edges and beyond.
+    for (const MovingMap& map : pixel.in.movingMaps) {
+      std::string text = "shadows of light " + std::to_string(map.light) + ":";
+      for (int i = 0; i < 75; ++i) {
+        const glm::dvec3 at(1.3 * (i % 5) - 2.6, 1.1 * (i / 25) - 1.2, 1.2 * (i / 5 % 5) - 2.4);
+        text += " " + keptNumber(static_cast<double>(movingShadowAt(map, at)), 3);
+      }
+      lines.push_back(text);
+    }
   }
   expectKeptValues("tests/unit/values/explanation_values.txt", lines);
 }

@@ -34,6 +34,8 @@ House::House() {
   panel("screen", 0, 1.63, -1.0, 0.0, 1.5, 0.8, 1.9, paint);
   panel("ceiling lamp", 1, 2.55, -1.0, 0.2, 0.9, -0.6, 0.5, glm::vec3(0.2f), {12.0f, 10.0f, 7.0f});
   block("box lamp", {{-2.0, 0.9, 2.4}, {-1.75, 1.25, 2.75}}, glm::vec3(0.3f), {6.0f, 3.0f, 2.0f});
+  // What the rays meet of the round lamp, its rim too.
+  panel("lens", 2, 3.05, -1.0, 1.19, 1.61, 0.89, 1.31, glm::vec3(0.2f), {21.0f, 20.0f, 17.0f});
   panel("far lamp", 2, -4.28, 1.0, -0.9, 0.1, 1.3, 2.0, glm::vec3(0.1f), {5.0f, 7.0f, 9.0f});
 }
 
@@ -126,6 +128,7 @@ std::shared_ptr<const Model> House::model() const {
   };
   std::map<std::string, Mesh> meshes;
   for (const Panel& p : panels) {
+    if (p.node == "lens") continue;
     Mesh& mesh = meshes[p.node];
     if (mesh.positions.empty()) mesh.material = material(p.node + " paint", p.emitted);
     const int u = (p.axis + 1) % 3, v = (p.axis + 2) % 3;
