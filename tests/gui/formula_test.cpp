@@ -86,6 +86,14 @@ TEST(Formula, OperatorsKeepTheirDistance) {
   EXPECT_GT(math("<mo>-</mo>").width, mathText("-", MathFont::Upright, 1.0).width) << "a minus sign is no hyphen";
 }
 
+TEST(Formula, AQuadIsAnEmOfRoom) {
+  const double letters = math("<mi>a</mi>").width + math("<mi>b</mi>").width;
+  EXPECT_NEAR(math("<mi>a</mi><mo>\u2003</mo><mi>b</mi>").width, letters + 1.0, 0.03);
+  EXPECT_NEAR(math("<mn>1</mn><mo>,</mo><mo>\u2003</mo><mo>-</mo><mn>2</mn>").width,
+              math("<mn>1</mn><mo>,</mo><mo>-</mo><mn>2</mn>").width + 1.0, 1e-6);
+  EXPECT_NEAR(math("<mtext> two \n words </mtext>").width, math("<mtext>two words</mtext>").width, 1e-9);
+}
+
 TEST(Formula, SingleLettersSlantAndWordsAndCapitalGreekStand) {
   const auto likeVariant = [](const QString& text, const char* variant) {
     const MathBox plain = layoutMathml(QString("<math><mi>%1</mi></math>").arg(text));
@@ -241,6 +249,7 @@ const char* const kFormulas[] = {
     "<mi>sin</mi><mi>x</mi><mi>cos</mi><mo>(</mo><mi>y</mi><mo>)</mo>",
     "<mn>2</mn><mi>log</mi><mi>x</mi>",
     "<mi>a</mi><mo>mod</mo><mi>b</mi>",
+    "<mi>a</mi><mo>,</mo><mo>\u2003</mo><mi>b</mi><mo>\u2003</mo><mo>-</mo><mi>c</mi>",
     "<mo>-</mo><mi>b</mi>",
     "<mo>(</mo><mo>-</mo><mi>b</mi><mo>)</mo><mo>-</mo><mi>c</mi>",
     "<mo>\u2211</mo><mi>x</mi><mo>\u222b</mo><mi>y</mi>",

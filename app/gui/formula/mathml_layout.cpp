@@ -2,6 +2,8 @@
 // middling, products and fences none.
 #include "app/gui/formula/mathml_layout.h"
 
+#include <QRegularExpression>
+#include <QStringList>
 #include <QXmlStreamReader>
 #include <algorithm>
 #include <map>
@@ -35,7 +37,9 @@ Node readNode(QXmlStreamReader& xml) {
       break;
     }
   }
-  node.text = node.text.simplified();
+  // XML's own blanks alone: an em space is room that was asked for.
+  static const QRegularExpression blanks("[ \\t\\r\\n]+");
+  node.text = node.text.split(blanks, Qt::SkipEmptyParts).join(' ');
   return node;
 }
 
@@ -55,7 +59,8 @@ double operatorSpace(const QString& text) {
   static const QString products = QString::fromUtf8("·⋅∘*⊙");
   static const QString close = QString::fromUtf8("′″!:\u2061\u2062\u2063\u2064");
   static const QString large = QString::fromUtf8("∑∏∫");
-  if (isFence(text) || close.contains(text)) return 0.0;
+  const bool room = text.size() == 1 && text[0].isSpace();
+  if (room || isFence(text) || close.contains(text)) return 0.0;
   if (text == "/") return 0.06;
   if (text == "," || text == ";" || large.contains(text)) return 0.14;
   if (sums.contains(text)) return 0.22;
