@@ -5,12 +5,9 @@
 #include <vtkCamera.h>
 #include <vtkNew.h>
 
-#include <QApplication>
-#include <QFontMetrics>
 #include <QIcon>
 #include <QImage>
 #include <QPainter>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -37,12 +34,13 @@
 #include "app/gui/widgets/text_button.h"
 #include "app/gui/widgets/tool_icons.h"
 #include "filters/vtk/widgets/view_projection.h"
+#include "tests/gui/cell_colors.h"
+#include "tests/gui/painted_panels.h"
 #include "tests/unit/explained_room.h"
 
 namespace boxprobe {
 namespace {
 
-constexpr int kCells = 24;
 // Of 255: what a machine may round otherwise.
 constexpr int kSame = 3;
 
@@ -52,20 +50,6 @@ QImage sheet(int width, int height) {
   QImage image(width, height, QImage::Format_RGB32);
   image.fill(QColor(37, 41, 52));
   return image;
-}
-
-QImage painted(int width, int height, const std::function<void(QPainter&)>& paint) {
-  QImage image = sheet(width, height);
-  QPainter painter(&image);
-  painter.setFont(QFont("DejaVu Sans", 9));
-  paint(painter);
-  return image;
-}
-
-QImage grabbed(QWidget& widget, int width, int height) {
-  widget.resize(width, height);
-  widget.ensurePolished();
-  return widget.grab().toImage();
 }
 
 /// No two texels of a face are alike, and no two faces.
@@ -99,15 +83,6 @@ ExplainedRoom oddRoom() {
   return room;
 }
 
-QImage somePicture(int width, int height) {
-  QImage image = sheet(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x)
-      image.setPixel(x, y, qRgb(220 * x / width, 190 * y / height, 60 + (x + 2 * y) % 70));
-  }
-  return image;
-}
-
 void addWidgets(std::map<std::string, QImage>& pictures) {
   const std::pair<const char*, ToolIcon> icons[] = {{"icon box", ToolIcon::Box},
                                                     {"icon influence", ToolIcon::Influence},
@@ -137,7 +112,7 @@ void addWidgets(std::map<std::string, QImage>& pictures) {
     pictures[filled ? "state filled" : "state ring"] =
         painted(48, 48, [&](QPainter& p) { stateIcon(look).paint(&p, 0, 0, 48, 48); });
     SceneCard card("A hall", "of two doors and a lamp");
-    if (filled) card.setPicture(somePicture(160, 90));
+    if (filled) card.setPicture(someColors(160, 90));
     pictures[filled ? "card" : "card without"] = grabbed(card, card.sizeHint().width(), card.sizeHint().height());
   }
   int number = 0;
@@ -163,7 +138,7 @@ void addComparisons(std::map<std::string, QImage>& pictures) {
   QWidget below;
   below.resize(480, 300);
   CompareWipe wipe(&below);
-  wipe.show(somePicture(480, 300), "Ray traced");
+  wipe.show(someColors(480, 300), "Ray traced");
   wipe.setScaleShown(true);
   wipe.setDivider(0.37);
   wipe.showNumbers("RMSE 0.123");
@@ -179,7 +154,7 @@ void addComparisons(std::map<std::string, QImage>& pictures) {
   views.choose(0, "box");
   views.choose(1, "sphere");
   for (int i = 0; i < 3; ++i) {
-    views.show(i, somePicture(320 - 40 * i, 180), "");
+    views.show(i, someColors(320 - 40 * i, 180), "");
     views.showNumbers(i, i == 1 ? "error 0.123\nlight 0.98" : "error 0.456");
   }
   views.show(3, QImage(), "is traced");
@@ -278,7 +253,7 @@ void addLessons(std::map<std::string, QImage>& pictures, std::string& svg) {
     if (i == 2) step.mayMove = "a face";
     if (i == 3) step.question = LessonQuestion{"Which plane?", {{"x", true, ""}, {"the other", false, ""}}};
     lesson.steps.push_back(step);
-    taken.steps.push_back(somePicture(300, 160 + 2 * i));
+    taken.steps.push_back(someColors(300, 160 + 2 * i));
   }
   LessonExercise exercise;
   exercise.ask = "Where does the ray leave?";
@@ -290,56 +265,6 @@ void addLessons(std::map<std::string, QImage>& pictures, std::string& svg) {
   pictures["sheet of three"] = lessonSheet(lesson, taken);
 }
 
-/// Width, height, and the mean colour of each cell, two hexadecimal digits a channel.
-std::string linesOf(const QImage& image) {
-  const QImage colors = image.convertToFormat(QImage::Format_RGB32);
-  std::string text = std::to_string(image.width()) + " " + std::to_string(image.height()) + " ";
-  for (int row = 0; row < kCells; ++row) {
-    for (int column = 0; column < kCells; ++column) {
-      const int left = column * image.width() / kCells,
-                right = std::max((column + 1) * image.width() / kCells, left + 1);
-      const int top = row * image.height() / kCells, bottom = std::max((row + 1) * image.height() / kCells, top + 1);
-      int sum[3] = {0, 0, 0};
-      for (int y = top; y < bottom; ++y) {
-        for (int x = left; x < right; ++x) {
-          const QRgb at = colors.pixel(x, y);
-          sum[0] += qRed(at), sum[1] += qGreen(at), sum[2] += qBlue(at);
-        }
-      }
-      for (const int channel : sum) {
-        char digits[16];
-        std::snprintf(digits, sizeof digits, "%02x", channel / ((right - left) * (bottom - top)));
-        text += digits;
-      }
-    }
-  }
-  return text;
-}
-
-/// Cells that differ; all, if the sizes do.
-int differing(const std::string& now, const std::string& before) {
-  const std::size_t start = now.rfind(' ');
-  if (now.size() != before.size() || now.substr(0, start) != before.substr(0, start)) return kCells * kCells;
-  int count = 0;
-  for (std::size_t i = start + 1; i + 6 <= now.size(); i += 6) {
-    bool same = true;
-    for (std::size_t c = 0; c < 6; c += 2) {
-      const int a = std::stoi(now.substr(i + c, 2), nullptr, 16), b = std::stoi(before.substr(i + c, 2), nullptr, 16);
-      same = same && std::abs(a - b) <= kSame;
-    }
-    count += same ? 0 : 1;
-  }
-  return count;
-}
-
-/// With other fonts letters have other widths, and pictures with words differ.
-std::string fontsNow() {
-  const QFontMetrics own(QFont("DejaVu Sans", 9)), window(QApplication::font());
-  const QString words = "A ray leaves at 0.123, \xce\xb8";
-  return std::to_string(own.horizontalAdvance(words)) + " " + std::to_string(window.horizontalAdvance(words)) + " " +
-         std::to_string(window.height()) + " " + qVersion();
-}
-
 TEST(Painted, IsAsBefore) {
   std::map<std::string, QImage> pictures;
   std::string svg;
@@ -347,12 +272,13 @@ TEST(Painted, IsAsBefore) {
   addComparisons(pictures);
   ASSERT_NO_FATAL_FAILURE(addDrawings(pictures));
   addLessons(pictures, svg);
+  addPaintedPanels(pictures);
   if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT")) {
     for (const auto& [name, image] : pictures)
       image.save(QString("%1/%2.png").arg(folder, QString::fromStdString(name)));
   }
   std::map<std::string, std::string> now = {{"fonts", fontsNow()}};
-  for (const auto& [name, image] : pictures) now[name] = linesOf(image);
+  for (const auto& [name, image] : pictures) now[name] = cellColors(image);
   for (char& c : svg) c = c == '\n' ? ' ' : c;
   now["curve as svg"] = svg;
 
@@ -378,7 +304,7 @@ TEST(Painted, IsAsBefore) {
   }
   for (const auto& [name, line] : now) {
     if (name == "fonts" || name == "curve as svg") continue;
-    EXPECT_LE(differing(line, before[name]), 0) << name << ": cells that differ";
+    EXPECT_LE(differingCells(line, before[name], kSame), 0) << name << ": cells that differ";
   }
 }
 
