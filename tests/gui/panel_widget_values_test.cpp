@@ -99,8 +99,10 @@ void addExplain(ValueLines& lines) {
     combo->setCurrentIndex(combo->count() - 1);
     emit combo->activated(combo->currentIndex());
   }
-  rays.setObjects({"desk"});
-  rays.setObjects({"other"});
+  for (const char* object : {"desk", "other"}) {
+    rays.setObjects({"hall", object});
+    lines.tree(std::string("rays with ") + object, rays);
+  }
   for (const QString& line : told) lines.add("rays", line);
 
   SurfaceViewPanel surfaces;
@@ -238,9 +240,9 @@ void addOutliner(ValueLines& lines) {
   model.show(scene, {});
   const QModelIndex camera = model.index(1, 0, model.group(OutlinerModel::Kind::Cameras)), wall = model.object("wall");
   for (const QModelIndex& row : {camera, wall, model.probe(0)}) {
-    model.setData(row, "new name", Qt::EditRole);
-    model.setData(row, "shown", Qt::DisplayRole);
-    model.setData(row.siblingAtColumn(1), "no name", Qt::EditRole);
+    const bool taken[] = {model.setData(row, "new name", Qt::EditRole), model.setData(row, "shown", Qt::DisplayRole),
+                          model.setData(row.siblingAtColumn(1), "no name", Qt::EditRole)};
+    lines.add("set", QString("%1 %2 %3").arg(taken[0]).arg(taken[1]).arg(taken[2]));
   }
   for (const QString& signal : signals_) lines.add("signal", signal);
   lines.add("nothing", QString("%1 %2 %3 %4 %5")

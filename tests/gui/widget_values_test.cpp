@@ -274,7 +274,7 @@ void addFields(ValueLines& lines) {
   ScrubLabel label("X", &field, nullptr);
   field.setBounds(-50.0, 50.0);
   const auto mouse = [&](QEvent::Type type, double x, Qt::MouseButton button, Qt::KeyboardModifiers keys = {}) {
-    QMouseEvent event(type, QPointF(x, 4.0), QPointF(x, 4.0), QPointF(x, 4.0), button, button, keys);
+    QMouseEvent event(type, QPointF(x, 4.0), QPointF(x, 4.0), QPointF(x, 4.0), button, Qt::LeftButton, keys);
     QApplication::sendEvent(&label, &event);
   };
   mouse(QEvent::MouseMove, 50.0, Qt::NoButton);
