@@ -1,5 +1,5 @@
 // Formulas: where the parts of a fraction, a root, scripts and limits stand, and that nothing is lost. The last test
-// compares sizes and outlines with formulas.txt; after a change that is wanted, BOXPROBE_WRITE_FORMULAS=1 writes the
+// compares sizes and outlines with formulas.txt; after a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the
 // file anew.
 #include <gtest/gtest.h>
 
@@ -289,7 +289,7 @@ const char* const kFormulas[] = {
 };
 
 TEST(Formula, SizesAndOutlinesAreAsBefore) {
-  const std::string path = BOXPROBE_SOURCE_DIR "/tests/gui/formulas.txt";
+  const std::string path = BOXPROBE_SOURCE_DIR "/tests/gui/values/formulas.txt";
   std::vector<std::string> lines = linesOfBlocks();
   const std::size_t blocks = lines.size();
   lines.push_back("fonts: " + fontsNow());
@@ -306,7 +306,7 @@ TEST(Formula, SizesAndOutlinesAreAsBefore) {
   lines.push_back("no-MathML: " + numbersOf(layoutMathml("R = 2")));
   lines.push_back("svg: " + formulaSvg("<math><mo>-</mo><msqrt><mi>l</mi></msqrt></math>").toStdString());
 
-  if (std::getenv("BOXPROBE_WRITE_FORMULAS") != nullptr) {
+  if (std::getenv("BOXPROBE_WRITE_VALUES") != nullptr) {
     std::ofstream file(path);
     for (const std::string& line : lines) file << line << "\n";
     ASSERT_TRUE(file.flush()) << path;

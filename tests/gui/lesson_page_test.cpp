@@ -1,6 +1,6 @@
 // The page of lessons as it is written, line by line, against lesson_page.txt: every kind of step, figure and question
 // in it. Pictures, outlines of formulas and what stands in files of data/web are left out. After a change that is
-// wanted, BOXPROBE_WRITE_LESSON_PAGE=1 writes the file anew.
+// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include "app/gui/lessons/lesson_page.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
-#include "tests/gui/kept_lines.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/explained_room.h"
 
 namespace boxprobe {
@@ -202,7 +202,7 @@ TEST(LessonPageText, HasEveryKindOfStepFigureAndQuestionAsBefore) {
     keep("in another language", page, {}, {});
   }
   keep("empty", LessonPage(), {}, {});
-  expectKeptLines("lesson_page.txt", "BOXPROBE_WRITE_LESSON_PAGE", lines);
+  test::expectKeptValues("gui/values/lesson_page.txt", lines, kExactly);
 }
 
 }  // namespace

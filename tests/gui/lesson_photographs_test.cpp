@@ -1,6 +1,6 @@
 // What a sheet and a page of a lesson are made from, of a lesson with each kind of picture, against
 // lesson_photographs.txt: the pictures as mean colours of cells, what was measured, and the pictures of a loop. After a
-// change that is wanted, BOXPROBE_WRITE_PHOTOGRAPHS=1 writes the file anew; BOXPROBE_TEST_OUTPUT keeps the pictures.
+// change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew; BOXPROBE_TEST_OUTPUT keeps the pictures.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -14,7 +14,7 @@
 namespace boxprobe {
 namespace {
 
-const char* const kFile = BOXPROBE_SOURCE_DIR "/tests/gui/lesson_photographs.txt";
+const char* const kFile = BOXPROBE_SOURCE_DIR "/tests/gui/values/lesson_photographs.txt";
 // Of 255: drivers draw light a little otherwise.
 constexpr int kSame = 6;
 
@@ -125,7 +125,7 @@ TEST(LessonPhotographs, AreAsBefore) {
     for (const auto& [name, image] : images) image.save(QString("%1/%2.png").arg(folder, QString::fromStdString(name)));
   }
   for (const auto& [name, image] : images) now["picture " + name] = cellColors(image);
-  if (std::getenv("BOXPROBE_WRITE_PHOTOGRAPHS") != nullptr) {
+  if (std::getenv("BOXPROBE_WRITE_VALUES") != nullptr) {
     std::ofstream file(kFile);
     for (const auto& [name, line] : now) file << name << ": " << line << "\n";
     ASSERT_TRUE(file.flush());

@@ -1,5 +1,5 @@
 // What the pages of lessons say and do without a window, against lesson_values.txt. After a change that is
-// wanted, BOXPROBE_WRITE_WIDGET_VALUES=1 writes the file anew.
+// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -15,7 +15,7 @@
 #include "app/gui/lessons/lesson_step_page.h"
 #include "app/gui/lessons/lesson_task_box.h"
 #include "app/gui/widgets/text_button.h"
-#include "tests/gui/kept_lines.h"
+#include "tests/support/kept_values.h"
 #include "tests/gui/some_lesson.h"
 #include "tests/gui/value_lines.h"
 #include "tests/gui/window_test.h"
@@ -212,7 +212,7 @@ TEST(LessonValues, OfPagesTasksAndMeasuresAreAsBefore) {
   ValueLines lines;
   addLessonPages(lines);
   addMeasures(lines);
-  expectKeptLines("lesson_values.txt", "BOXPROBE_WRITE_WIDGET_VALUES", lines.lines());
+  test::expectKeptValues("gui/values/lesson_values.txt", lines.lines(), kExactly);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The name, keys, state and tool tip of each entry of the menus, and what choosing it changes, against menu_values.txt.
-// After a change that is wanted, BOXPROBE_WRITE_MENU_VALUES=1 writes the file anew.
+// After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -18,7 +18,7 @@
 #include "app/gui/edit/view_state.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
-#include "tests/gui/kept_lines.h"
+#include "tests/support/kept_values.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {
@@ -164,7 +164,7 @@ TEST_F(MenuValuesTest, EachEntryHasItsNameAndDoesWhatItDid) {
     const std::string left = differing(before, state());
     if (left != " nothing") lines.back() += " | and back:" + left;
   }
-  expectKeptLines("menu_values.txt", "BOXPROBE_WRITE_MENU_VALUES", lines);
+  test::expectKeptValues("gui/values/menu_values.txt", lines, kExactly);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What the window paints itself, against painted.txt: icons, marks, drawings of rays, curves, lesson sheets. A picture
-// is kept as the mean colours of 24 x 24 cells. After a change that is wanted, BOXPROBE_WRITE_PAINTED=1 writes the file
+// is kept as the mean colours of 24 x 24 cells. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file
 // anew; look at the pictures first, BOXPROBE_TEST_OUTPUT names a folder for them.
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -44,7 +44,7 @@ namespace {
 // Of 255: what a machine may round otherwise.
 constexpr int kSame = 3;
 
-const char* const kFile = BOXPROBE_SOURCE_DIR "/tests/gui/painted.txt";
+const char* const kFile = BOXPROBE_SOURCE_DIR "/tests/gui/values/painted.txt";
 
 QImage sheet(int width, int height) {
   QImage image(width, height, QImage::Format_RGB32);
@@ -282,7 +282,7 @@ TEST(Painted, IsAsBefore) {
   for (char& c : svg) c = c == '\n' ? ' ' : c;
   now["curve as svg"] = svg;
 
-  if (std::getenv("BOXPROBE_WRITE_PAINTED") != nullptr) {
+  if (std::getenv("BOXPROBE_WRITE_VALUES") != nullptr) {
     std::ofstream file(kFile);
     for (const auto& [name, line] : now) file << name << ": " << line << "\n";
     ASSERT_TRUE(file.flush());

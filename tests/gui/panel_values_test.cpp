@@ -1,5 +1,5 @@
 // What each control of the panels shows and does to the scene, control by control, against panel_values.txt. After a
-// change that is wanted, BOXPROBE_WRITE_PANEL_VALUES=1 writes the file anew.
+// change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -10,7 +10,7 @@
 
 #include "app/gui/widgets/value_field.h"
 #include "filters/io/scene/scene_file.h"
-#include "tests/gui/kept_lines.h"
+#include "tests/support/kept_values.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {
@@ -153,7 +153,7 @@ TEST_F(PanelValuesTest, EachControlShowsAndSetsWhatItStandsFor) {
   readLabels(lines);
   tryFields(lines);
   tryChoices(lines);
-  expectKeptLines("panel_values.txt", "BOXPROBE_WRITE_PANEL_VALUES", lines);
+  test::expectKeptValues("gui/values/panel_values.txt", lines, kExactly);
 }
 
 }  // namespace

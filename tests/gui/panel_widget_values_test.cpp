@@ -1,5 +1,5 @@
 // What parts of panels say and do without a window, against panel_widget_values.txt. After a change that is
-// wanted, BOXPROBE_WRITE_WIDGET_VALUES=1 writes the file anew.
+// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
@@ -16,7 +16,7 @@
 #include "app/gui/panels/outliner_model.h"
 #include "app/gui/panels/placed_list.h"
 #include "app/gui/widgets/value_field.h"
-#include "tests/gui/kept_lines.h"
+#include "tests/support/kept_values.h"
 #include "tests/gui/painted_panels.h"
 #include "tests/gui/value_lines.h"
 #include "tests/unit/explained_room.h"
@@ -300,7 +300,7 @@ TEST(PanelWidgetValues, OfExplanationsRowsAndListsAreAsBefore) {
   addExplain(lines);
   addOutliner(lines);
   addPlaced(lines);
-  expectKeptLines("panel_widget_values.txt", "BOXPROBE_WRITE_WIDGET_VALUES", lines.lines());
+  test::expectKeptValues("gui/values/panel_widget_values.txt", lines.lines(), kExactly);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What single widgets say, hold and do without a window, against widget_values.txt. After a change that is
-// wanted, BOXPROBE_WRITE_WIDGET_VALUES=1 writes the file anew.
+// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -37,7 +37,7 @@
 #include "app/gui/widgets/vector_row.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/widgets/window_words.h"
-#include "tests/gui/kept_lines.h"
+#include "tests/support/kept_values.h"
 #include "tests/gui/painted_panels.h"
 #include "tests/gui/value_lines.h"
 
@@ -436,7 +436,7 @@ TEST(WidgetValues, OfEachWidgetAreAsBefore) {
   addLayouts(lines);
   addFields(lines);
   addKeysAndFiles(lines);
-  expectKeptLines("widget_values.txt", "BOXPROBE_WRITE_WIDGET_VALUES", lines.lines());
+  test::expectKeptValues("gui/values/widget_values.txt", lines.lines(), kExactly);
 }
 
 }  // namespace

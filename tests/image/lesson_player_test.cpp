@@ -66,12 +66,12 @@ class PlayedLesson : public testing::Test {
   void add(LessonPlayer& player, const std::string& name, const LessonMeasure& measure) {
     LessonCondition condition;
     condition.measure = measure;
-    values_.numbers(name, std::vector<double>{player.check(condition).value});
+    values_.add(name, std::vector<double>{player.check(condition).value});
   }
 
   std::string folder_;
   Lesson lesson_;
-  KeptValues values_;
+  test::KeptValues values_;
 };
 
 TEST_F(PlayedLesson, MeasuresItsSteps) {
@@ -133,10 +133,10 @@ TEST_F(PlayedLesson, MeasuresItsSteps) {
         means.push_back(std::round(sum / (16 * 10) * 100.0) / 100.0);
       }
     }
-    values_.numbers(std::to_string(step), means);
+    values_.add(std::to_string(step), means);
     EXPECT_NEAR(player.camera().position.x, step >= 3 ? -1.3 : 0.3, 1e-9);
   }
-  values_.expectThoseOf("image/lesson_player.txt", 6e-3);
+  values_.expect("image/values/lesson_player.txt", 6e-3);
 }
 
 TEST_F(PlayedLesson, TriesTasksAndCurves) {
@@ -165,7 +165,7 @@ TEST_F(PlayedLesson, TriesTasksAndCurves) {
   for (const char* low : {"-2.2", "-1.6", "-2.7"}) {
     player.showChanged(1, {std::string("probes.room.box.min=[") + low + ", 0, -2]"});
     const bool done = player.done(task, 1, &value);
-    values_.numbers(low, std::vector<double>{value, done ? 1.0 : 0.0});
+    values_.add(low, std::vector<double>{value, done ? 1.0 : 0.0});
   }
   const auto json = nlohmann::json::parse(player.taskForPage(1));
   EXPECT_EQ(json["done"], "within");
@@ -176,10 +176,10 @@ TEST_F(PlayedLesson, TriesTasksAndCurves) {
   EXPECT_EQ(json["measure"]["kind"], "direction-error");
   EXPECT_EQ(json["times"]["kind"], "hit-error");
   EXPECT_EQ(json["measure"]["rays"], json["times"]["rays"]);
-  values_.numbers("start", std::vector<double>{json["start"].get<double>()});
+  values_.add("start", std::vector<double>{json["start"].get<double>()});
   const auto& rays = json["measure"]["rays"];
-  values_.numbers("rays", std::vector<std::size_t>{rays.size()});
-  for (std::size_t i = 0; i < rays.size(); i += 37) values_.numbers("ray", rays[i].get<std::vector<double>>());
+  values_.add("rays", std::vector<std::size_t>{rays.size()});
+  for (std::size_t i = 0; i < rays.size(); i += 37) values_.add("ray", rays[i].get<std::vector<double>>());
   task.done.times.reset();
   for (const char* name :
        {"/probes/0/slabFactors/2", "/probes/0/slabFactors/0", "/probes/0/hitDistance", "/surface/nDotV"}) {
@@ -198,10 +198,10 @@ TEST_F(PlayedLesson, TriesTasksAndCurves) {
   EXPECT_EQ(player.taskForPage(0), "");
   values_.part("curve");
   const CurvePoints points = player.curve(2);
-  values_.numbers("measured", points.measured);
-  values_.numbers("costs", points.costs);
-  values_.numbers("line", std::vector<double>{points.line.value_or(-1.0)});
-  values_.expectThoseOf("image/lesson_tasks.txt", 4e-3);
+  values_.add("measured", points.measured);
+  values_.add("costs", points.costs);
+  values_.add("line", std::vector<double>{points.line.value_or(-1.0)});
+  values_.expect("image/values/lesson_tasks.txt", 4e-3);
 }
 
 TEST_F(PlayedLesson, ForgetsTheLessonBeforeAndCanBeStopped) {

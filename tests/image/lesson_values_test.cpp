@@ -73,7 +73,7 @@ class LessonValues : public testing::Test {
   }
   void add(const std::string& name, const LessonMeasure& measure) {
     const auto value = measureShown(shown(), measure);
-    values_.numbers(name + (value ? "" : " is not defined"), std::vector<double>{value.value_or(0.0)});
+    values_.add(name + (value ? "" : " is not defined"), std::vector<double>{value.value_or(0.0)});
   }
   /// Means of blocks, in a few lines.
   void add(const std::string& name, const ImageRgbaF& picture) {
@@ -89,13 +89,13 @@ class LessonValues : public testing::Test {
           means.push_back(std::round(sum / (kBlock * kBlock) * 1e4) / 1e4);
         }
       }
-      values_.numbers(name + " row " + std::to_string(y), means);
+      values_.add(name + " row " + std::to_string(y), means);
     }
   }
 
   OddRoom room_;
   OffscreenScene shown_;
-  KeptValues values_;
+  test::KeptValues values_;
 };
 
 TEST_F(LessonValues, MeasuresAreThoseOfTheFile) {
@@ -146,7 +146,7 @@ TEST_F(LessonValues, MeasuresAreThoseOfTheFile) {
   ShownScene given = shown();
   given.picture = &other;
   for (const MeasureKind kind : {MeasureKind::Mean, MeasureKind::Jump, MeasureKind::Error}) {
-    values_.numbers("given", std::vector<double>{measureShown(given, measureOf(kind, floor)).value_or(-1.0)});
+    values_.add("given", std::vector<double>{measureShown(given, measureOf(kind, floor)).value_or(-1.0)});
   }
   // What was shown before is shown again.
   Camera elsewhere = room_.camera;
@@ -158,7 +158,7 @@ TEST_F(LessonValues, MeasuresAreThoseOfTheFile) {
   EXPECT_EQ(shown_.renderer().view().view, 3);
   EXPECT_EQ(explanationsOf(shown(), measureOf(MeasureKind::View)).size(), 640u);
   EXPECT_NEAR(shown_.renderer().currentCamera().position.x, -1.0, 1e-9);
-  values_.expectThoseOf("image/lesson_measures.txt", kTolerance);
+  values_.expect("image/values/lesson_measures.txt", kTolerance);
 }
 
 TEST_F(LessonValues, PublishedFormsAreThoseOfTheFile) {
@@ -173,7 +173,7 @@ TEST_F(LessonValues, PublishedFormsAreThoseOfTheFile) {
     EXPECT_FALSE(picture.draw(7)) << "16 rows";
     EXPECT_FALSE(picture.draw(7));
     values_.part(id);
-    values_.numbers("broken, turned", std::vector<double>{picture.brokenShare(), picture.meanTurn()});
+    values_.add("broken, turned", std::vector<double>{picture.brokenShare(), picture.meanTurn()});
     add("light", picture.linear());
   }
   EXPECT_FALSE(isPublishedForm("own"));
@@ -193,7 +193,7 @@ TEST_F(LessonValues, PublishedFormsAreThoseOfTheFile) {
     }
   }
   EXPECT_EQ(wrong, 0);
-  values_.expectThoseOf("image/published_forms.txt", kTolerance);
+  values_.expect("image/values/published_forms.txt", kTolerance);
 }
 
 }  // namespace

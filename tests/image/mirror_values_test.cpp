@@ -1,11 +1,11 @@
 // Which mirrors of `mirror-hall` have a picture, its texels, what moves in it and what may hide that, for each camera
-// and many settings, against mirror_values.txt. After a change that is wanted, BOXPROBE_WRITE_MIRROR_VALUES=1 writes
+// and many settings, against mirror_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes
 // the file anew.
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "tests/support/kept_numbers.h"
+#include "tests/support/kept_values.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -85,7 +85,7 @@ TEST(PlanarMirrorValues, OfEachCameraAndSetting) {
     }
   }
   EXPECT_EQ(picture.renderer->error(), "");
-  expectKeptNumbers("image/mirror_values.txt", "BOXPROBE_WRITE_MIRROR_VALUES", lines);
+  test::expectKeptValues("image/values/mirror_values.txt", lines);
 }
 
 }  // namespace

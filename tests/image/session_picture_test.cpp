@@ -71,8 +71,8 @@ double meanOf(const ImageRgbaF& image) {
   return sum / static_cast<double>(std::max<std::size_t>(image.pixels.size(), 1));
 }
 
-void add(KeptValues& values, const std::string& name, const PictureErrors& errors) {
-  values.numbers(name, std::vector<double>{errors.error, errors.glossy, errors.light});
+void add(test::KeptValues& values, const std::string& name, const PictureErrors& errors) {
+  values.add(name, std::vector<double>{errors.error, errors.glossy, errors.light});
 }
 
 TEST(SessionPictures, PlacingTriesWhatTheFileSays) {
@@ -99,29 +99,29 @@ TEST(SessionPictures, PlacingTriesWhatTheFileSays) {
   PictureCheckSettings settings;
   settings.paths = 12;
   settings.views = true;
-  KeptValues values;
+  test::KeptValues values;
   const auto tell = [&](const std::string& name, const PictureCheck& check, const Placement& of) {
     values.part(name);
     for (const Phrase& sentence : check.sentences) values.add(sentence.english());
-    values.numbers("eyes, better, seconds",
+    values.add("eyes, better, seconds",
                    std::vector<double>{static_cast<double>(check.eyes), check.better ? 1.0 : 0.0,
                                        check.seconds > 0.0 ? 1.0 : 0.0});
     add(values, "before", check.before);
     add(values, "after", check.after);
     for (const RoomErrors& room : check.rooms) {
-      values.numbers("room", std::vector<double>{room.seen ? 1.0 : 0.0, room.before, room.after});
+      values.add("room", std::vector<double>{room.seen ? 1.0 : 0.0, room.before, room.after});
     }
     for (const EyePictures& view : check.views) {
-      values.numbers("view of room " + std::to_string(view.room),
+      values.add("view of room " + std::to_string(view.room),
                      std::vector<double>{view.camera.position.x, view.camera.position.z,
                                          static_cast<double>(view.truth.width), static_cast<double>(view.after.height),
                                          meanOf(view.before), meanOf(view.after), meanOf(view.truth)});
     }
     std::vector<int> viewOf;
     for (const auto& each : check.viewOf) viewOf.push_back(each ? static_cast<int>(*each) : -1);
-    values.numbers("views of probes", viewOf);
+    values.add("views of probes", viewOf);
     for (const Probe& probe : of.all()) {
-      values.numbers(probe.name, std::vector<double>{probe.origin.x, probe.origin.z, probe.box.min.x, probe.box.max.z,
+      values.add(probe.name, std::vector<double>{probe.origin.x, probe.origin.z, probe.box.min.x, probe.box.max.z,
                                                      static_cast<double>(probe.bounces)});
     }
     for (const PlacedProbe& each : of.probes) values.add(each.reason.english());
@@ -166,7 +166,7 @@ TEST(SessionPictures, PlacingTriesWhatTheFileSays) {
   LoadedScene flat = loaded;
   flat.models = {std::make_shared<const Model>(unlit)};
   said(flat, *placement);
-  values.expectThoseOf("image/picture_check.txt", 0.02);
+  values.expect("image/values/picture_check.txt", 0.02);
 }
 
 class Folder {
@@ -213,22 +213,22 @@ TEST(SessionPictures, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
   };
   const auto review = reviewScene(loaded, shown, settings, tell);
   ASSERT_TRUE(review);
-  KeptValues values;
+  test::KeptValues values;
   values.part("review of " + review->name);
-  values.numbers("triangles, faces", std::vector<std::uint64_t>{review->triangles, review->faces});
+  values.add("triangles, faces", std::vector<std::uint64_t>{review->triangles, review->faces});
   for (const ReviewedCamera& row : review->cameras) {
     values.part("camera " + row.camera.name);
-    values.numbers("light",
+    values.add("light",
                    std::vector<double>{meanOf(row.picture), meanOf(row.truth.color), meanOf(row.truth.standardError)});
-    values.numbers("lookups", std::vector<double>{row.lookups.mean, row.lookups.most});
+    values.add("lookups", std::vector<double>{row.lookups.mean, row.lookups.most});
     for (const PartError& part : row.parts)
-      values.numbers(part.part, std::vector<double>{part.light, part.relativeRmse});
+      values.add(part.part, std::vector<double>{part.light, part.relativeRmse});
   }
   for (const ReviewedProbe& row : review->probes) {
     ASSERT_TRUE(row.fit);
     values.part("probe " + row.probe.name);
-    values.numbers("objects", std::vector<std::size_t>{row.objects, row.bytes > 0 ? 1u : 0u});
-    values.numbers("fit", std::vector<double>{row.fit->before.meanDegrees, row.fit->probe.box.max.x});
+    values.add("objects", std::vector<std::size_t>{row.objects, row.bytes > 0 ? 1u : 0u});
+    values.add("fit", std::vector<double>{row.fit->before.meanDegrees, row.fit->probe.box.max.x});
   }
   for (const std::string& remark : review->remarks) values.add(remark);
   EXPECT_TRUE(review->captureCpuSeconds);
@@ -252,7 +252,7 @@ TEST(SessionPictures, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
     made.push_back(shared.made());
     EXPECT_EQ(shared.found(), 0u);
   }
-  values.numbers("made by each", made);
+  values.add("made by each", made);
   const SharedWork merged(folder.name(), "0123456789abcdef", 0, 1);
   ReviewSettings wanted = settings;
   wanted.shared = &merged;
@@ -282,7 +282,7 @@ TEST(SessionPictures, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
   EXPECT_EQ(bare->name, "rooms");
   EXPECT_EQ(bare->cameras.size(), 1u);
   EXPECT_TRUE(bare->probes.empty());
-  values.expectThoseOf("image/scene_review.txt", 0.01);
+  values.expect("image/values/scene_review.txt", 0.01);
 }
 
 // Times that no machine has: each frame takes as long as the one before, and a little more or less.
@@ -294,7 +294,7 @@ TEST(SessionPictures, CostsAreWorkedOutOfTheFramesTimes) {
   camera.target = {4.6, 0.4, -1.2};
   shown.show(loaded.scene, loaded.models, {camera});
   shown.capture();
-  KeptValues values;
+  test::KeptValues values;
   for (const int rounds : {2, 3}) {
     std::uint64_t frames = 0;
     std::vector<double> told;
@@ -312,7 +312,7 @@ TEST(SessionPictures, CostsAreWorkedOutOfTheFramesTimes) {
     values.part(std::to_string(rounds) + " rounds");
     values.add(frameCostsText(costs));
     values.add(frameCostsJson(costs).dump(1));
-    values.numbers("frames, steps", std::vector<std::uint64_t>{frames, told.size()});
+    values.add("frames, steps", std::vector<std::uint64_t>{frames, told.size()});
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
     EXPECT_NEAR(told.front() * static_cast<double>(told.size()), 1.0, 1e-9);
     EXPECT_NEAR(told.back(), 1.0, 1e-9);
@@ -321,7 +321,7 @@ TEST(SessionPictures, CostsAreWorkedOutOfTheFramesTimes) {
       shown.renderer(), 3, [] { return 0.5; }, [](double done) { return done < 0.5; });
   EXPECT_TRUE(stopped.parts.empty());
   EXPECT_EQ(stopped.rounds, 3);
-  values.expectThoseOf("image/frame_costs.txt", 1e-5);
+  values.expect("image/values/frame_costs.txt", 1e-5);
 }
 
 TEST(SessionPictures, ASheetHasEveryViewInItsPlace) {
@@ -390,13 +390,13 @@ TEST(SessionPictures, APartOfTheIntegralOverTheBoxIsThatOfTheWhole) {
       }
     }
   }
-  KeptValues values;
+  test::KeptValues values;
   values.part("integral over the box");
   for (int y = 0; y < 10; ++y) {
     const float* row = &whole.color.pixels[4 * static_cast<std::size_t>(15 * y)];
-    values.numbers("row " + std::to_string(y), std::vector<float>(row, row + 60));
+    values.add("row " + std::to_string(y), std::vector<float>(row, row + 60));
   }
-  values.expectThoseOf("image/box_integral.txt", 0.01);
+  values.expect("image/values/box_integral.txt", 0.01);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // What each edit of a small room has made again: faces, levels, rays, draws, and the memory of the maps, against
-// work_values.txt. After a change that is wanted, BOXPROBE_WRITE_WORK_VALUES=1 writes the file anew.
+// work_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "tests/image/quad_world.h"
-#include "tests/support/kept_numbers.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe::test {
 namespace {
@@ -134,7 +134,7 @@ TEST(WorkValues, OfEachEdit) {
   renderer.requestBake({"b"});
   write("asked for");
   EXPECT_EQ(renderer.error(), "");
-  expectKeptNumbers("image/work_values.txt", "BOXPROBE_WRITE_WORK_VALUES", lines);
+  test::expectKeptValues("image/values/work_values.txt", lines);
 }
 
 }  // namespace

@@ -1,113 +1,159 @@
-// Lines of words and numbers, against those that a file of the sources keeps. Numbers may be off by one and a half of
-// their last digit, whole numbers by nothing: what compilers and C libraries round differently is no fault.
+// Lines of words and numbers that a test finds, against those that a file below tests/ keeps. After a change that is
+// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew; read what differs before it is committed.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace boxprobe::test {
 
-/// `value` with so many significant digits; what is nothing beside 1 is 0.
-inline std::string keptNumber(double value, int digits = 5) {
+/// So many significant digits; what is nothing beside 1 is 0, whatever its sign.
+inline std::string keptNumber(double value, int digits = 6) {
   char text[40];
-  std::snprintf(text, sizeof(text), "%.*g", digits, std::abs(value) < 1e-6 ? 0.0 : value);
-  const std::string number = text;
-  // A whole number would have to agree exactly.
-  return number.find_first_not_of("-0123456789") == std::string::npos ? number + ".0" : number;
+  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(value) < 1e-7 ? 0.0 : value);
+  return text;
+}
+
+/// Each with a space before it.
+template <typename... Values>
+std::string keptNumbers(Values... values) {
+  std::string text;
+  ((text += " " + keptNumber(static_cast<double>(values))), ...);
+  return text;
 }
 
 template <typename Vector>
-std::string keptVector(const Vector& v, int digits = 5) {
+std::string keptVector(const Vector& v, int digits = 6) {
   return keptNumber(v[0], digits) + " " + keptNumber(v[1], digits) + " " + keptNumber(v[2], digits);
 }
 
-/// Nothing beside the numbers that are kept, most of which are near 1: rounding of single precision.
-constexpr double kKeptNoise = 1e-5;
-
-/// A number at the start of `text`: its characters, its value and how far off another may be. Nothing: no characters.
-struct NumberAhead {
-  std::size_t length = 0;
-  double value = 0.0, tolerance = 0.0;
-};
-
-inline NumberAhead numberAhead(const std::string& text, std::size_t at) {
-  std::size_t end = at;
-  const auto digits = [&] {
-    const std::size_t first = end;
-    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
-    return end - first;
+/// The length of the number that begins there; 0: none does.
+inline std::size_t numberAhead(const std::string& text, std::size_t at) {
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
   };
-  if (end < text.size() && text[end] == '-') ++end;
-  if (digits() == 0) return {};
-  NumberAhead number;
-  int decimals = 0;
-  if (end + 1 < text.size() && text[end] == '.' && text[end + 1] >= '0' && text[end + 1] <= '9') {
-    ++end;
-    decimals = static_cast<int>(digits());
+  const auto inWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  if (at > 0 && inWord(text[at - 1])) return 0;
+  std::size_t end = at;
+  if (text[end] == '-' || text[end] == '+') ++end;
+  if (!digit(end)) return 0;
+  while (digit(end)) ++end;
+  if (end < text.size() && text[end] == '.' && digit(end + 1)) {
+    while (digit(++end)) {
+    }
   }
-  int exponent = 0;
   if (end + 2 < text.size() && text[end] == 'e' && (text[end + 1] == '-' || text[end + 1] == '+')) {
-    exponent = std::atoi(text.c_str() + end + 1);
-    end += 2;
-    digits();
+    for (end += 2; digit(end);) ++end;
   }
-  number.length = end - at;
-  number.value = std::strtod(text.substr(at, number.length).c_str(), nullptr);
-  const double digit = std::pow(10.0, exponent - decimals);
-  number.tolerance = decimals > 0 || exponent != 0 ? std::max(1.5 * digit, kKeptNoise) : 0.0;
-  return number;
+  return end - at;
 }
 
-/// The same words, and numbers that are near? Spaces, which align columns, count as one.
-inline bool sameKeptLine(const std::string& a, const std::string& b) {
-  const auto skip = [](const std::string& text, std::size_t& at) {
+/// The same words and whole numbers. Other numbers may be off by `tolerance` of their size, or of a tenth if they are
+/// smaller: compilers and C libraries round differently. Spaces that align columns count as one.
+inline bool sameKeptLine(const std::string& a, const std::string& b, double tolerance) {
+  const auto skipped = [](const std::string& text, std::size_t at) {
     while (at < text.size() && text[at] == ' ') ++at;
+    return at;
   };
   std::size_t i = 0, j = 0;
   while (true) {
-    skip(a, i);
-    skip(b, j);
+    i = skipped(a, i);
+    j = skipped(b, j);
     if (i >= a.size() || j >= b.size()) return i >= a.size() && j >= b.size();
-    const NumberAhead x = numberAhead(a, i), y = numberAhead(b, j);
-    if (x.length > 0 && y.length > 0) {
-      if (std::abs(x.value - y.value) > std::max(x.tolerance, y.tolerance)) return false;
-      i += x.length;
-      j += y.length;
-    } else if (a[i++] != b[j++]) {
-      return false;
+    const std::size_t left = numberAhead(a, i), right = numberAhead(b, j);
+    if (left == 0 || right == 0) {
+      if (a[i++] != b[j++]) return false;
+      continue;
     }
+    const std::string x = a.substr(i, left), y = b.substr(j, right);
+    if (x != y) {
+      const bool fraction = (x + y).find_first_of(".e") != std::string::npos;
+      const double u = std::strtod(x.c_str(), nullptr), v = std::strtod(y.c_str(), nullptr);
+      if (!fraction || !(std::abs(u - v) <= tolerance * std::max({std::abs(u), std::abs(v), 0.1}))) return false;
+    }
+    i += left;
+    j += right;
   }
 }
 
-/// `file`: its path below the sources. If the environment has BOXPROBE_WRITE_VALUES, it is written anew instead.
-inline void expectKeptValues(const std::string& file, const std::vector<std::string>& lines) {
-  const std::string path = std::string(BOXPROBE_SOURCE_DIR) + "/" + file;
+constexpr double kExactly = 0.0;
+
+/// `name`: of the file, as in "unit/values/gltf.txt". A line that begins with "== " is the title of those that follow.
+inline void expectKeptValues(const std::string& name, const std::vector<std::string>& lines, double tolerance = 1e-4) {
+  const std::string path = std::string(BOXPROBE_SOURCE_DIR) + "/tests/" + name;
   if (std::getenv("BOXPROBE_WRITE_VALUES") != nullptr) {
-    std::ofstream out(path);
-    for (const std::string& line : lines) out << line << '\n';
-    ASSERT_TRUE(out.flush()) << path;
+    std::ofstream file(path);
+    for (const std::string& line : lines) file << line << '\n';
+    ASSERT_TRUE(file.flush()) << path;
     return;
   }
-  std::ifstream in(path);
-  ASSERT_TRUE(in) << path;
+  std::ifstream file(path);
+  ASSERT_TRUE(file) << path;
   std::vector<std::string> kept;
-  for (std::string line; std::getline(in, line);) kept.push_back(line);
-  EXPECT_EQ(lines.size(), kept.size());
-  std::string title;  // of what the line belongs to
-  int wrong = 0;
+  for (std::string line; std::getline(file, line);) kept.push_back(line);
+  EXPECT_EQ(lines.size(), kept.size()) << name;
+  std::string title;
+  int wrong = 0;  // what follows may be the same lines further on
   for (std::size_t i = 0; i < std::min(lines.size(), kept.size()) && wrong < 20; ++i) {
     if (kept[i].rfind("== ", 0) == 0) title = kept[i];
-    const bool same = sameKeptLine(lines[i], kept[i]);
-    EXPECT_TRUE(same) << file << ":" << i + 1 << " " << title << "\n  is   " << lines[i] << "\n  kept " << kept[i];
-    wrong += same ? 0 : 1;
+    if (sameKeptLine(lines[i], kept[i], tolerance)) continue;
+    ADD_FAILURE() << name << ":" << i + 1 << " " << title << "\n  found " << lines[i] << "\n  kept  " << kept[i];
+    ++wrong;
   }
 }
+
+/// Such lines as they are gathered.
+class KeptValues {
+ public:
+  void part(const std::string& title) { lines_.push_back("== " + title); }
+  /// Each line of the text.
+  void add(const std::string& text) {
+    std::istringstream rows(text);
+    for (std::string row; std::getline(rows, row);) lines_.push_back(row);
+  }
+  void add(const std::string& label, const std::vector<double>& values) {
+    std::string row = label;
+    for (const double value : values) row += " " + keptNumber(value, 7);
+    lines_.push_back(row);
+  }
+  template <typename Number>
+  void add(const std::string& label, const std::vector<Number>& values) {
+    add(label, std::vector<double>(values.begin(), values.end()));
+  }
+  /// Of each of four channels: the mean, each texel with another weight, so that no two may change places.
+  void addTexels(const std::string& label, const float* rgba, std::size_t texels) {
+    std::vector<double> sums(4, 0.0);
+    for (std::size_t i = 0; i < 4 * texels; ++i) {
+      sums[i % 4] += static_cast<double>(rgba[i]) * (1.0 + static_cast<double>(i / 4 * 7919 % 97) / 97.0);
+    }
+    for (double& sum : sums) sum /= static_cast<double>(texels);
+    add(label, sums);
+  }
+  /// Of nlohmann's kinds: a line for each value and each list of numbers, with its path.
+  template <typename Json>
+  void addJson(const std::string& path, const Json& json) {
+    const bool list = json.is_array() && !json.empty() &&
+                      std::all_of(json.begin(), json.end(), [](const Json& value) { return value.is_number(); });
+    if (json.is_number()) return add(path, std::vector<double>{json.template get<double>()});
+    if (list) return add(path, json.template get<std::vector<double>>());
+    if (!json.is_structured() || json.empty()) return add(path + " " + json.dump());
+    for (const auto& [key, value] : json.items()) addJson(path + "/" + key, value);
+  }
+
+  const std::vector<std::string>& lines() const { return lines_; }
+  void expect(const std::string& name, double tolerance = 1e-4) const { expectKeptValues(name, lines_, tolerance); }
+
+ private:
+  std::vector<std::string> lines_;
+};
 
 }  // namespace boxprobe::test

@@ -1,5 +1,5 @@
 // The benchmark's files word by word for a result in which no two numbers are the same, and a small study of random
-// rooms, against bench_values.txt. After a change that is wanted, BOXPROBE_WRITE_BENCH_VALUES=1 writes the file anew.
+// rooms, against bench_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "filters/reference/bench/bench_result.h"
 #include "filters/reference/bench/bench_surfaces.h"
 #include "filters/reference/bench/bench_text.h"
-#include "tests/support/kept_numbers.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -154,7 +154,7 @@ TEST(BenchValues, OfFilesAndOfASmallStudy) {
                       keptNumbers(point.cost, point.error, point.ours, point.onParetoFront));
     }
   }
-  test::expectKeptNumbers("unit/bench_values.txt", "BOXPROBE_WRITE_BENCH_VALUES", lines, 1e-3);
+  test::expectKeptValues("unit/values/bench_values.txt", lines, 1e-3);
 
   // Stopped before anything is measured, and in the middle.
   EXPECT_TRUE(runStudy(plan, result.techniques, [](double) { return false; }).rows.empty());

@@ -132,7 +132,7 @@ class CommandValues : public TemporaryFolder {
   }
 
   std::string scene_;
-  KeptValues values_;
+  test::KeptValues values_;
 };
 
 TEST_F(CommandValues, WhatDoesNotFitIsRefused) {
@@ -286,7 +286,7 @@ TEST_F(CommandValues, WhatDoesNotFitIsRefused) {
                       {"--replay", "inside mirror 1"},
                       {"--replay", "inside box 1x"},
                       {"-o", "F/none/s.json"}});
-  values_.expectThoseOf("unit/command_refusals.txt");
+  values_.expect("unit/values/command_refusals.txt");
 }
 
 TEST_F(CommandValues, ScriptsHaveWhatWasAskedFor) {
@@ -307,7 +307,7 @@ TEST_F(CommandValues, ScriptsHaveWhatWasAskedFor) {
        "9",       "--quick",  "--seed",       "4",           "--set",    "exposure=2", "--as",     "open",
        "--light", "file",     "--fail-above", "0.25"});
   add({"place", "F/a\tb.glb", "-o", "F/p.boxprobe.json", "--emit", "make"});
-  values_.expectThoseOf("unit/command_scripts.txt");
+  values_.expect("unit/values/command_scripts.txt");
 }
 
 TEST_F(CommandValues, ReferencesAndStressTestsTellTheSame) {
@@ -341,18 +341,18 @@ TEST_F(CommandValues, ReferencesAndStressTestsTellTheSame) {
   EXPECT_EQ(entryCount(), 7u) << "room, scene, two pictures twice and statistics: no share is left";
   values_.part("the picture");
   for (std::size_t i = 0; i < whole.pixels.size(); i += 4 * 5) {
-    values_.numbers(std::to_string(i / 4), std::vector<float>(&whole.pixels[i], &whole.pixels[i] + 4));
+    values_.add(std::to_string(i / 4), std::vector<float>(&whole.pixels[i], &whole.pixels[i] + 4));
   }
   addAll({"stress", "--count", "24", "--seed", "3", "--class", "extreme-scenes"},
          {{"--json"}, {"--first", "17"}, {"--quiet", "-o", "F/lines.json", "--stats", "F/stats.json"}});
   values_.add(read("lines.json"));
-  values_.numbers("statistics", std::vector<bool>{read("stats.json").find("facesCaptured") != std::string::npos});
+  values_.add("statistics", std::vector<bool>{read("stats.json").find("facesCaptured") != std::string::npos});
   addAll({"stress", "--json"},
          {{"--count", "400", "--technique", "box", "--class", "inside", "--class", "extreme-scenes"},
           {"--count", "30", "--technique", "box", "--technique", "box+none", "--class", "flat"},
           {"--count", "300", "--published", "--class", "inside"},
           {"--count", "1600", "--technique", "sphere", "--seed", "4"}});
-  values_.expectThoseOf("unit/command_results.txt", 2e-4);
+  values_.expect("unit/values/command_results.txt", 2e-4);
 }
 
 }  // namespace

@@ -432,7 +432,7 @@ TEST(FieldValues, AreKept) {
   addTexts(lines);
   addMaterials(lines);
   addLight(lines);
-  expectKeptValues("tests/unit/values/field_values.txt", lines);
+  test::expectKeptValues("unit/values/field_values.txt", lines);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "filters/io/scene/scene_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/io_glb_builder.h"
-#include "tests/unit/kept_values.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {
@@ -22,7 +22,7 @@ namespace {
 
 /// Its JSON, and of each buffer view a sum of its bytes, each with another weight. Pictures' own bytes are their
 /// encoder's affair.
-void addDocument(KeptValues& values, const GlbDocument& document) {
+void addDocument(test::KeptValues& values, const GlbDocument& document) {
   Json root = document.json;
   std::vector<bool> picture(root.contains("bufferViews") ? root["bufferViews"].size() : 0);
   if (root.contains("images")) {
@@ -263,7 +263,7 @@ GlbDocument joinedDocument() {
 }
 
 TEST_F(GlbValues, EveryNumberOfAFileWithProbes) {
-  KeptValues values;
+  test::KeptValues values;
   const std::string path = write("out.glb", pack("model.glb"));
   addDocument(values, readGlbDocument(path));
   values.add("== joined models");
@@ -296,7 +296,7 @@ TEST_F(GlbValues, EveryNumberOfAFileWithProbes) {
     values.add(std::string(label) + ": " + std::to_string(again.json["bufferViews"].size()) + " " +
                std::to_string(again.binary.size()) + " " + again.json["materials"][0]["emissiveFactor"].dump());
   }
-  values.expectKept("engine_glb_values.txt");
+  values.expect("unit/values/engine_glb_values.txt");
 }
 
 TEST_F(GlbValues, OnlyFilesWithTheExtensionHoldProbes) {

@@ -18,7 +18,7 @@
 #include "filters/io/scene/scene_json.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
-#include "tests/unit/kept_values.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {
@@ -72,7 +72,7 @@ std::uint32_t word(const std::string& bytes, std::size_t at) {
 
 /// Headers as words, the levels of each face as sums; `start`: of the texels. KTX2 has the smallest level first and
 /// its faces together, DDS a face with all its levels.
-void addCubeFile(KeptValues& values, const std::string& bytes, bool ktx2, std::size_t start) {
+void addCubeFile(test::KeptValues& values, const std::string& bytes, bool ktx2, std::size_t start) {
   std::string row;
   for (std::size_t at = ktx2 ? 12 : 4; at + 4 <= start; at += 4) {
     char text[16];
@@ -123,7 +123,7 @@ TEST_F(EngineValues, EveryFileOfEveryExport) {
   second.probe.blendDistance = {{0.9, 0.2, 0.3}, {0.4, 0.5, 0.65}};
   second.capturedRotation = second.probe.rotationDegrees;
   second.level0 = oddCube(16);
-  KeptValues values;
+  test::KeptValues values;
   for (const Wish& wish :
        {Wish{"ktx2", "own", 0, false}, Wish{"ktx2", "three", 0, true}, Wish{"ktx2", "bevy", 16, false},
         Wish{"dds", "babylon", 16, true}, Wish{"dds", "unity", 0, false}, Wish{"exr", "own", 0, false},
@@ -175,7 +175,7 @@ TEST_F(EngineValues, EveryFileOfEveryExport) {
       values.add("ladder " + std::string(ladder.id) + " " + std::to_string(size) + ":", numbers);
     }
   }
-  values.expectKept("engine_export_values.txt");
+  values.expect("unit/values/engine_export_values.txt");
 }
 
 TEST_F(EngineValues, AnExportThatIsStoppedLeavesWholeProbes) {
@@ -254,7 +254,7 @@ TEST_F(EngineValues, SettingsEndWhereTheyAreSaidTo) {
   EXPECT_THAT(exportStems({"", "A-b_9", "z z"}), ElementsAre("_", "A-b_9", "z_z"));
 }
 
-void addImported(KeptValues& values, const std::string& label, const ImportedProbes& imported) {
+void addImported(test::KeptValues& values, const std::string& label, const ImportedProbes& imported) {
   values.add("== " + label + " of " + imported.engine);
   Scene scene;
   scene.probes = imported.probes;
@@ -308,7 +308,7 @@ const char* const kOddFields =
     "  m_IntensityMultiplier: 0.8\n  m_BlendDistance: 1.5\n  m_BoxProjection: 1\n  m_Importance: 2\n"
     "  m_ShadowDistance: 30\n  m_CullingMask:\n    serializedVersion: 2\n    m_Bits: 7\n";
 
-void addUnity(KeptValues& values) {
+void addUnity(test::KeptValues& values) {
   const auto read = [](const std::string& text) { return parseUnityProbes(text, "a"); };
   addImported(values, "all fields", read(oddUnity(kOddFields)));
   addImported(values, "no fields", read(oddUnity("")));
@@ -350,7 +350,7 @@ std::string godot(const std::string& parent, const std::string& probe, const cha
          parent + "\n[node name=\"P\" type=\"ReflectionProbe\" parent=\"A\"]\n" + probe;
 }
 
-void addGodot(KeptValues& values) {
+void addGodot(test::KeptValues& values) {
   const auto read = [](const std::string& text) { return parseGodotProbes(text, "a.tscn"); };
   const std::string parent =
       std::string("transform = Transform3D(") + kTurned + ", 1.5, -2.5, 4)\nscale = Vector3(1, 2, 0.5)";
@@ -392,7 +392,7 @@ void addGodot(KeptValues& values) {
 }
 
 /// What was changed in Godot since an export counts, and nothing else.
-void addEdited(KeptValues& values, const Clear& clear, ProbeMode mode) {
+void addEdited(test::KeptValues& values, const Clear& clear, ProbeMode mode) {
   ExportedProbe exported;
   exported.probe = oddCapture("hall \"west\" \\ 2").probe;
   exported.probe.clear = clear;
@@ -426,13 +426,13 @@ void addEdited(KeptValues& values, const Clear& clear, ProbeMode mode) {
 }
 
 TEST_F(EngineValues, EveryFieldOfEveryImport) {
-  KeptValues values;
+  test::KeptValues values;
   addUnity(values);
   addGodot(values);
   addEdited(values, ClearToSky{}, ProbeMode::Baked);
   addEdited(values, ClearToNone{}, ProbeMode::Realtime);
   addEdited(values, glm::vec3(0.1f, 0.2f, 0.7f), ProbeMode::Custom);
-  values.expectKept("engine_import_values.txt");
+  values.expect("unit/values/engine_import_values.txt");
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST(ExplanationJson, ValuesAreKept) {
       for (const auto& [key, value] : probe.items()) lines.push_back("  " + key + " " + shortText(value));
     }
   }
-  test::expectKeptValues("tests/unit/values/json_values.txt", lines);
+  test::expectKeptValues("unit/values/json_values.txt", lines);
 }
 
 TEST(ExplanationJson, NamesOfAnyBytesAreWritten) {

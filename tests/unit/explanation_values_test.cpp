@@ -117,7 +117,7 @@ TEST(ExplanationValues, AreKeptOfEveryKindOfPixel) {
       lines.push_back(text);
     }
   }
-  expectKeptValues("tests/unit/values/explanation_values.txt", lines);
+  test::expectKeptValues("unit/values/explanation_values.txt", lines);
 }
 
 TEST(ExplanationValues, AreDrawnAsTheyAre) {
@@ -141,7 +141,7 @@ TEST(ExplanationValues, AreDrawnAsTheyAre) {
   outside.seeFrom({3.4, 1.2, 0.9});
   lines.emplace_back("== outside the box");
   addDrawings(lines, outside.explain());
-  expectKeptValues("tests/unit/values/schematic_values.txt", lines);
+  test::expectKeptValues("unit/values/schematic_values.txt", lines);
 }
 
 /// One line for a probe's answer and one for each of its first lookups.
@@ -199,7 +199,7 @@ TEST(ExplanationValues, OfEveryTechniqueAndParameter) {
     lines.push_back("== " + technique + " " + std::to_string(parameters.size()));
     for (const ProbeExplanation& p : pixel.explain().probes) addLookups(lines, p);
   }
-  expectKeptValues("tests/unit/values/technique_values.txt", lines);
+  test::expectKeptValues("unit/values/technique_values.txt", lines);
 }
 
 }  // namespace

@@ -230,7 +230,7 @@ TEST(FitValues, AreKept) {
   lines.push_back("distances " + digest(distances));
   lines.push_back("normals " + digest(normals));
   lines.push_back("bounds " + keptBox(captured.bounds()) + ", a direction " + keptVector(sphereDirection(0.3, 0.8)));
-  expectKeptValues("tests/unit/values/fit_values.txt", lines);
+  test::expectKeptValues("unit/values/fit_values.txt", lines);
 }
 
 void addProbe(Lines& lines, const Probe& probe) {
@@ -312,7 +312,7 @@ TEST(PlaceValues, OfRoomsAreKept) {
     addProbe(lines, reaching);
     lines.push_back("  shared " + keptNumber(sharedVolume(own.front(), reaching)));
   }
-  expectKeptValues("tests/unit/values/room_values.txt", lines);
+  test::expectKeptValues("unit/values/room_values.txt", lines);
 }
 
 TEST(PlaceValues, OfModelsAreKept) {
@@ -405,7 +405,7 @@ TEST(PlaceValues, OfModelsAreKept) {
                   keptNumber(placement.after.meanDegrees, 3) + ", bare " + keptNumber(placement.bareBefore, 3) + " " +
                   keptNumber(placement.bareAfter, 3) + ", " + std::to_string(placement.cells) + " cells of " +
                   keptNumber(placement.cell));
-  expectKeptValues("tests/unit/values/place_values.txt", lines);
+  test::expectKeptValues("unit/values/place_values.txt", lines);
 }
 
 TEST(FitValues, OfExposureUnitsAndNamesAreKept) {
@@ -448,7 +448,7 @@ TEST(FitValues, OfExposureUnitsAndNamesAreKept) {
   lines.push_back(std::string("lights ") + fitLightId(FitLight::Openings) + " " +
                   std::to_string(allFitLights().size()) + ", sun " + keptVector(sunLight().at(0).direction) + " " +
                   keptNumber(static_cast<double>(sunLight().at(0).intensity)));
-  expectKeptValues("tests/unit/values/guess_values.txt", lines);
+  test::expectKeptValues("unit/values/guess_values.txt", lines);
 }
 
 }  // namespace

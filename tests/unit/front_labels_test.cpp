@@ -20,7 +20,7 @@
 
 #include "filters/vtk/charts/pareto_chart.h"
 #include "filters/vtk/charts/vtkParetoLabels.h"
-#include "tests/support/kept_numbers.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -171,7 +171,7 @@ TEST(FrontLabels, StandBesideTheirPointsAndOnNothingElse) {
                          {0.99, -1.5, "over a line", false}});
   lines.emplace_back("-- in the corners");
   lines.insert(lines.end(), corners.device->Lines.begin(), corners.device->Lines.end());
-  test::expectKeptNumbers("unit/front_labels.txt", "BOXPROBE_WRITE_FRONT_LABELS", lines);
+  test::expectKeptValues("unit/values/front_labels.txt", lines);
 }
 
 TEST(FrontLabels, OfNoChartAreNotPainted) {

@@ -457,7 +457,7 @@ TEST(GeometryValues, AreKept) {
   addProbes(lines);
   addPieces(lines);
   addPictures(lines);
-  expectKeptValues("tests/unit/values/geometry_values.txt", lines);
+  test::expectKeptValues("unit/values/geometry_values.txt", lines);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ TEST_F(GltfValues, AreThoseOfTheFile) {
   for (const double seconds : {-1.0, 0.25, 0.75, 1.0, 1.5, 2.4, 9.0}) {
     addState("at " + std::to_string(seconds), {"", seconds});
   }
-  expectKeptValues("gltf.txt", kept);
+  test::expectKeptValues("unit/values/gltf.txt", kept);
 }
 
 /// Visits each member and element once, those of one kind at most `most` times.
@@ -199,7 +199,7 @@ TEST_F(GltfValues, ChangeAsTheFileDoes) {
     const std::vector<std::string> after = lines(edit.json, state);
     told.push_back(edit.name + ": " + (isOfParser(after.front()) ? "refused" : differenceOf(before, after)));
   }
-  expectKeptValues("gltf_edits.txt", told);
+  test::expectKeptValues("unit/values/gltf_edits.txt", told);
 }
 
 }  // namespace

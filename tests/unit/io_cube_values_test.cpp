@@ -21,7 +21,7 @@
 #include "filters/io/image/image_file.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
-#include "tests/unit/kept_values.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {
@@ -60,7 +60,7 @@ CubeMap oddCube(int faceSize, int levels) {
   return cube;
 }
 
-void addPicture(KeptValues& values, const std::string& label, const ExrPicture& picture) {
+void addPicture(test::KeptValues& values, const std::string& label, const ExrPicture& picture) {
   const ImageRgbaF& image = picture.image;
   const double kind = picture.envmap ? (*picture.envmap == EnvmapKind::Cube ? 1 : 0) : -1;
   values.add(label, {double(image.width), double(image.height), kind});
@@ -74,7 +74,7 @@ void addPicture(KeptValues& values, const std::string& label, const ExrPicture& 
   values.add("  distance", {sum / double(texels)});
 }
 
-void addCube(KeptValues& values, const std::string& label, const LoadedCube& loaded) {
+void addCube(test::KeptValues& values, const std::string& label, const LoadedCube& loaded) {
   const int size = loaded.radiance.faceSize();
   values.add(label + ": layout " + std::to_string(static_cast<int>(loaded.layout)) + ", size " + std::to_string(size));
   for (int face = 0; face < 6; ++face) {
@@ -90,7 +90,7 @@ void addCube(KeptValues& values, const std::string& label, const LoadedCube& loa
 }
 
 TEST_F(CubeValues, EveryLayoutWrittenAndRead) {
-  KeptValues values;
+  test::KeptValues values;
   const CubeMap cube = oddCube(32, 3);
   CubeMap distance(8, 1);
   for (int i = 0; i < 6 * 64; ++i) distance.face(0, 0)[4 * i] = 0.5f + 0.25f * static_cast<float>(i * 31 % 101);
@@ -140,7 +140,7 @@ TEST_F(CubeValues, EveryLayoutWrittenAndRead) {
     probe.imageRotationDegrees = -400.0;
     addCube(values, std::string("turned ") + name, loadCustomCube(probe, 16));
   }
-  values.expectKept("io_cube_values.txt");
+  values.expect("unit/values/io_cube_values.txt");
 }
 
 TEST_F(CubeValues, PicturesOfOtherPrograms) {
@@ -155,7 +155,7 @@ TEST_F(CubeValues, PicturesOfOtherPrograms) {
     }
     return image;
   };
-  KeptValues values;
+  test::KeptValues values;
   for (const auto& [width, height] : {std::pair{48, 24}, {24, 4}, {4, 24}, {16, 12}, {12, 16}, {49, 24}, {50, 24}}) {
     std::vector<ExtraChannel> extra(1);
     extra[0].name = "distance";
@@ -190,7 +190,7 @@ TEST_F(CubeValues, PicturesOfOtherPrograms) {
   // As exrenvmap names them, which is asked for no view.
   saveCubePicture(file("own%.exr"), oddCube(4, 1), CubeLayout::SixFiles);
   addCube(values, "exrenvmap's", loadCube(file("own+X.exr"), CubeLayout::Automatic, 4, {}, CubeView::Inside));
-  values.expectKept("io_cube_pictures.txt");
+  values.expect("unit/values/io_cube_pictures.txt");
 }
 
 BakedProbeFile oddBake() {
@@ -240,7 +240,7 @@ std::string attributeText(const Imf::Attribute& attribute) {
 }
 
 TEST_F(CubeValues, EverythingInABakedFile) {
-  KeptValues values;
+  test::KeptValues values;
   BakedProbeFile plain = oddBake();
   plain.maps.capturedRotation = glm::dvec3(0.0);
   plain.maps.distance = CubeMap();
@@ -273,7 +273,7 @@ TEST_F(CubeValues, EverythingInABakedFile) {
     addCube(values, "as a smaller picture", loadCube(file("a.exr"), CubeLayout::Strip, 8));
     addCube(values, "as a larger picture", loadCube(file("a.exr"), CubeLayout::Automatic, 32));
   }
-  values.expectKept("io_cube_baked.txt");
+  values.expect("unit/values/io_cube_baked.txt");
 }
 
 /// The file with bytes exchanged, of the version that had no checksum.

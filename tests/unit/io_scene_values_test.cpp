@@ -14,7 +14,7 @@
 #include "filters/io/scene/scene_reference.h"
 #include "filters/math/technique/parameter_table.h"
 #include "tests/unit/error_text.h"
-#include "tests/unit/kept_values.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {
@@ -67,7 +67,7 @@ const char* const kScene = R"("models": [
        "bevel": {"radius": 0.25, "fromRoughness": 0.5}}])";
 
 TEST(SceneValues, WholeScenesAsText) {
-  KeptValues values;
+  test::KeptValues values;
   const Scene scene = sceneOf(kScene);
   values.add(sceneText(scene, "folder"));
   values.add("== complete");
@@ -82,7 +82,7 @@ TEST(SceneValues, WholeScenesAsText) {
   values.add("== a new scene");
   values.add(formatJson(sceneToJson(Scene(), "", JsonForm::Complete)));
   values.add(sceneText(sceneForModel("a.glb"), ""));
-  values.expectKept("io_scene_values.txt");
+  values.expect("unit/values/io_scene_values.txt");
   EXPECT_EQ(sceneFromJson(sceneToJson(scene, "", JsonForm::Complete), ""), scene);
 }
 

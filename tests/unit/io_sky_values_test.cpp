@@ -11,7 +11,7 @@
 #include "filters/io/cube/picture_repair.h"
 #include "filters/io/cube/sky_sun.h"
 #include "tests/unit/cube_pictures.h"
-#include "tests/unit/kept_values.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -42,20 +42,20 @@ ImageRgbaF skyOf(int width, int height, const SkyLight& light) {
   return image;
 }
 
-void addImage(KeptValues& values, const std::string& label, const ImageRgbaF& image, int bands = 4) {
+void addImage(test::KeptValues& values, const std::string& label, const ImageRgbaF& image, int bands = 4) {
   const std::size_t texels = image.pixels.size() / 4 / std::size_t(bands);
   for (int band = 0; band < bands; ++band) {
     values.addTexels(label + " " + std::to_string(band), &image.pixels[4 * texels * std::size_t(band)], texels);
   }
 }
 
-void addRepairs(KeptValues& values, const PictureRepairs& repairs) {
+void addRepairs(test::KeptValues& values, const PictureRepairs& repairs) {
   values.add("  found",
              {double(repairs.notFinite), double(repairs.negative), double(repairs.beyondHalf), repairs.lightLost});
   for (const std::string& text : repairs.sentences()) values.add("  " + text);
 }
 
-void addRepaired(KeptValues& values) {
+void addRepaired(test::KeptValues& values) {
   // No texel equals another; what is no number stands at corners, edges and side by side.
   const auto broken = [](int width, int height) {
     ImageRgbaF image;
@@ -133,7 +133,7 @@ CubeMap cubeSky(int size, const SkyLight& light) {
   return cube;
 }
 
-void addSpread(KeptValues& values) {
+void addSpread(test::KeptValues& values) {
   const glm::dvec3 hue(1.0, 0.8, 0.2);
   std::vector<Disc> many;
   for (int i = 0; i < 24; ++i) {
@@ -164,7 +164,7 @@ void addSpread(KeptValues& values) {
   }
 }
 
-void addSun(KeptValues& values, const std::string& label, const std::optional<SkySun>& sun) {
+void addSun(test::KeptValues& values, const std::string& label, const std::optional<SkySun>& sun) {
   if (!sun) return values.add(label + ": none");
   values.add(label, {sun->towards.x, sun->towards.y, sun->towards.z, sun->irradiance.x, sun->irradiance.y,
                      sun->irradiance.z, sun->angleDegrees});
@@ -174,7 +174,7 @@ void addSun(KeptValues& values, const std::string& label, const std::optional<Sk
               light.color.z, light.angleDegrees, double(light.type == LightType::Directional)});
 }
 
-void addSuns(KeptValues& values) {
+void addSuns(test::KeptValues& values) {
   const std::pair<const char*, std::vector<Disc>> skies[] = {
       {"a sun", {{{0.5, 0.7, 0.9}, 2.5, {4000, 3200, 1600}}}},
       {"a sun with a halo", {{{0.5, 0.7, 0.9}, 1.5, {4000, 3200, 1600}}, {{0.5, 0.7, 0.9}, 3.0, {400, 500, 900}}}},
@@ -197,11 +197,11 @@ void addSuns(KeptValues& values) {
 }
 
 TEST(SkyValues, EveryRepairAndEverySun) {
-  KeptValues values;
+  test::KeptValues values;
   addRepaired(values);
   addSpread(values);
   addSuns(values);
-  values.expectKept("io_sky_values.txt");
+  values.expect("unit/values/io_sky_values.txt");
 }
 
 /// The number between two, one of which makes a sun and the other not, where that changes.

@@ -266,7 +266,7 @@ Explanation oddPixel(double yawDegrees) {
 }
 
 TEST(Plans, AreThoseOfTheFile) {
-  KeptValues values;
+  test::KeptValues values;
   for (const double yaw : {0.0, 35.0, 110.0}) {
     const Explanation e = oddPixel(yaw);
     EXPECT_TRUE(hasPlan(e));
@@ -291,7 +291,7 @@ TEST(Plans, AreThoseOfTheFile) {
   e = oddPixel(0.0);
   e.hit = false;
   EXPECT_FALSE(hasPlan(e));
-  values.expectThoseOf("unit/lesson_plans.txt", 1e-5);
+  values.expect("unit/values/lesson_plans.txt", 1e-5);
 }
 
 class FitNumbers : public TemporaryFolder {};
@@ -403,10 +403,10 @@ CubeMap oddCube(int size, int levels) {
 }
 
 TEST(OtherMapsValues, AreThoseOfTheFile) {
-  KeptValues values;
+  test::KeptValues values;
   const CubeMap cube = oddCube(16, 4);
   const auto add = [&](const std::string& name, const glm::vec4& v) {
-    values.numbers(name, std::vector<float>{v.x, v.y, v.z, v.w});
+    values.add(name, std::vector<float>{v.x, v.y, v.z, v.w});
   };
   for (const int width : {4, 2}) {
     const CubeMap fixed = withEdgeFixup(cube, width);
@@ -428,7 +428,7 @@ TEST(OtherMapsValues, AreThoseOfTheFile) {
         fetchWithinFace(cube, shading::cubeDirection(i % 6, s, t), -0.3f + 0.081f * static_cast<float>(i)));
   }
   add("of nothing", fetchWithinFace(CubeMap{}, {1.0f, 0.0f, 0.0f}, 0.0f));
-  values.expectThoseOf("unit/lesson_maps.txt", 2e-5);
+  values.expect("unit/values/lesson_maps.txt", 2e-5);
 }
 
 }  // namespace

@@ -6,13 +6,13 @@
 #include "filters/io/scene/lesson_file.h"
 #include "filters/io/scene/lesson_json.h"
 #include "tests/unit/error_text.h"
-#include "tests/unit/kept_values.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {
 namespace {
 
-void addMeasure(KeptValues& values, const std::string& label, const LessonMeasure& m) {
+void addMeasure(test::KeptValues& values, const std::string& label, const LessonMeasure& m) {
   values.add(label + " measure " + std::to_string(static_cast<int>(m.kind)) + " step " +
              (m.step ? std::to_string(*m.step) : "own") + " against " + std::to_string(m.against) +
              (m.box ? " box" : "") + " channel " + std::to_string(m.channel) + " '" + m.name + "'");
@@ -20,7 +20,7 @@ void addMeasure(KeptValues& values, const std::string& label, const LessonMeasur
   for (const PicturePoint& point : m.points) values.add(label + "   point", {point[0], point[1]});
 }
 
-void addCondition(KeptValues& values, const std::string& label, const LessonCondition& c) {
+void addCondition(test::KeptValues& values, const std::string& label, const LessonCondition& c) {
   addMeasure(values, label, c.measure);
   values.add(label + " compared " + std::to_string(static_cast<int>(c.comparison)), {c.limit, c.tolerance});
   if (c.times) addMeasure(values, label + " times", *c.times);
@@ -32,7 +32,7 @@ std::string bracketed(const std::vector<std::string>& texts) {
   return all;
 }
 
-void addStep(KeptValues& values, const LessonStep& s) {
+void addStep(test::KeptValues& values, const LessonStep& s) {
   values.add("step '" + s.title + "' '" + s.say + "' '" + s.formula + "' '" + s.formerly + "' '" + s.scene + "' '" +
              s.cameraName + "' '" + s.view + "' '" + s.published + "' '" + s.mayMove + "'" +
              (s.reflections ? " reflections" : "") + (s.boxes ? " boxes" : "") + (s.drawn() ? " drawn" : ""));
@@ -73,7 +73,7 @@ void addStep(KeptValues& values, const LessonStep& s) {
   }
 }
 
-void addLesson(KeptValues& values, const Lesson& lesson) {
+void addLesson(test::KeptValues& values, const Lesson& lesson) {
   values.add("lesson '" + lesson.language + "' '" + lesson.unreviewed + "' '" + lesson.title + "' '" + lesson.chapter +
              "' '" + lesson.summary + "' '" + lesson.scene + "'" + bracketed(lesson.assignments));
   for (const LessonStep& step : lesson.steps) addStep(values, step);
@@ -131,7 +131,7 @@ std::string small(const std::string& step, const std::string& lesson = "") {
 }
 
 TEST(LessonValues, EverythingInALesson) {
-  KeptValues values;
+  test::KeptValues values;
   const Json json = Json::parse(kLesson);
   requireLessonHeader(json);
   addLesson(values, lessonFromJson(json, "/lessons"));
@@ -294,7 +294,7 @@ TEST(LessonValues, EverythingInALesson) {
       values.add(error.what());
     }
   }
-  values.expectKept("lesson_values.txt");
+  values.expect("unit/values/lesson_values.txt");
 }
 
 class LessonFolder : public TemporaryFolder {};

@@ -222,36 +222,6 @@ class Writer {
   bool all_ = false;
 };
 
-/// The numbers of a line, and the text between them.
-struct Words {
-  std::string between;
-  std::vector<double> numbers;
-};
-Words wordsOf(const std::string& line) {
-  Words words;
-  for (const char *at = line.c_str(), *before = nullptr; *at != '\0'; before = at++) {
-    const bool starts = before == nullptr || *before == ' ' || *before == '\'' || *before == '(';
-    const bool digit = (*at >= '0' && *at <= '9') || (*at == '-' && at[1] >= '0' && at[1] <= '9');
-    if (!starts || !digit) {
-      words.between += *at;
-      continue;
-    }
-    char* end = nullptr;
-    words.numbers.push_back(std::strtod(at, &end));
-    words.between += '#';
-    at = end - 1;
-  }
-  return words;
-}
-
-bool sameLine(const std::string& a, const std::string& b) {
-  if (a == b) return true;
-  const Words first = wordsOf(a), second = wordsOf(b);
-  return first.between == second.between &&
-         std::equal(first.numbers.begin(), first.numbers.end(), second.numbers.begin(), second.numbers.end(),
-                    [](double x, double y) { return std::fabs(x - y) <= 1e-6 + 2e-5 * std::fabs(y); });
-}
-
 }  // namespace
 
 std::string withoutFolder(std::string text, const std::string& folder) {
@@ -283,27 +253,6 @@ std::string differenceOf(const std::vector<std::string>& before, const std::vect
     all += " | in all +" + std::to_string(added.size()) + " -" + std::to_string(removed.size());
   }
   return all.empty() ? "the same" : all;
-}
-
-void expectKeptValues(const std::string& name, const std::vector<std::string>& lines) {
-  const std::string path = std::string(BOXPROBE_SOURCE_DIR) + "/tests/unit/values/" + name;
-  if (std::getenv("BOXPROBE_WRITE_MODEL_VALUES") != nullptr) {
-    std::ofstream file(path);
-    for (const std::string& line : lines) file << line << '\n';
-    ASSERT_TRUE(file.flush()) << path;
-    return;
-  }
-  std::ifstream file(path);
-  ASSERT_TRUE(file) << path;
-  std::vector<std::string> kept;
-  for (std::string line; std::getline(file, line);) kept.push_back(line);
-  EXPECT_EQ(lines.size(), kept.size()) << name;
-  int told = 0;
-  for (std::size_t i = 0; i < std::min(lines.size(), kept.size()) && told < 10; ++i) {
-    if (sameLine(lines[i], kept[i])) continue;
-    ++told;
-    ADD_FAILURE() << name << ":" << i + 1 << ": " << lines[i] << "\n  was: " << kept[i];
-  }
 }
 
 }  // namespace boxprobe

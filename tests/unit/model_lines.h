@@ -1,11 +1,12 @@
 // A model as lines of text, one for each value that is not the default, for tests that compare all of it with a file in
-// tests/unit/values. After a change that is wanted, BOXPROBE_WRITE_MODEL_VALUES=1 writes these files anew.
+// tests/unit/values. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes these files anew.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "filters/core/scene/model.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 
@@ -19,10 +20,6 @@ std::vector<std::string> linesOrError(const Operation& operation, const std::str
 
 /// The lines of `after` that `before` lacks, or, if there are none, those that it has no longer; of many the first.
 std::string differenceOf(const std::vector<std::string>& before, const std::vector<std::string>& after);
-
-/// Lines that a test found, against those of the file `name` in tests/unit/values; numbers may differ in their last
-/// digits. If the environment has BOXPROBE_WRITE_MODEL_VALUES, the file is written anew instead.
-void expectKeptValues(const std::string& name, const std::vector<std::string>& lines);
 
 /// Without the folder of the test, whose name is another one each time.
 std::string withoutFolder(std::string text, const std::string& folder);

@@ -337,7 +337,7 @@ TEST(Listing, SumsWhatIsLeft) {
   rows[0] = {"hall", "k", "stale", 2, 4, 7.5};
   rows[1] = {"store", "l", "done", 1, 1, 100.0};
   rows[3].made = 1;
-  KeptValues values;
+  test::KeptValues values;
   for (const bool lattices : {true, false}) values.add(bakeListText(rows, probes, "FOLDER", lattices));
   for (Probe& probe : probes) probe.lattice = ProbeLattice{};
   for (Probe& probe : probes) probe.lattice->used = false;
@@ -356,7 +356,7 @@ TEST(Listing, SumsWhatIsLeft) {
         errorText<WorkLeft>([&] { requireBaked(std::vector<BakeRow>(count, rows[2]), 0, "FOLDER"); });
     values.add(text.substr(text.size() - 40));
   }
-  values.expectThoseOf("unit/bake_listing.txt");
+  values.expect("unit/values/bake_listing.txt");
 }
 
 TEST(Help, IsSetLineByLine) {
@@ -380,12 +380,12 @@ TEST(Help, IsSetLineByLine) {
   command->add_option("--secret", text, "Not shown")->group("");
   command->add_option("--other", text, "Of another group")->group("Rarely used")->required();
   command->footer("Example:\n  tool run x");
-  KeptValues values;
+  test::KeptValues values;
   values.add(program.help());
   values.add(command->help());
   program.require_subcommand(1);
   values.add(program.help().substr(0, 60));
-  values.expectThoseOf("unit/help_text.txt");
+  values.expect("unit/values/help_text.txt");
 }
 
 }  // namespace

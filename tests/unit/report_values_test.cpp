@@ -60,7 +60,7 @@ Probe oddProbe(Numbers& n, const std::string& name) {
   return probe;
 }
 
-void addFits(KeptValues& values) {
+void addFits(test::KeptValues& values) {
   Numbers n(0.2);
   const Probe before = oddProbe(n, "hall");
   BoxFit fit = oddFit(n);
@@ -133,7 +133,7 @@ Placement oddPlacement() {
   return placement;
 }
 
-void addPlacements(KeptValues& values) {
+void addPlacements(test::KeptValues& values) {
   Placement placement = oddPlacement();
   Numbers n(0.3);
   PictureCheck check;
@@ -162,7 +162,7 @@ void addPlacements(KeptValues& values) {
   values.add(placeText(placement, &check));
 }
 
-void addCosts(KeptValues& values) {
+void addCosts(test::KeptValues& values) {
   Numbers n(1.3);
   FrameCosts costs;
   costs.rounds = 7;
@@ -211,7 +211,7 @@ FrameReport oddFrame() {
   return report;
 }
 
-void addFrames(KeptValues& values) {
+void addFrames(test::KeptValues& values) {
   FrameReport report = oddFrame();
   values.part("frame");
   values.add(text(frameReportJson(report)).substr(0, 6000));
@@ -228,10 +228,10 @@ void addFrames(KeptValues& values) {
   report.objects.resize(6);
   const FrameReport::Object drawn = report.objects[4];
   report.objects.assign(40, drawn);
-  values.numbers("ends in",
+  values.add("ends in",
                  std::vector<std::size_t>{frameReportText(report).find("more; --json") == std::string::npos});
   report.objects.push_back(drawn);
-  values.numbers("ends in", std::vector<std::size_t>{frameReportText(report).find("1 more; --json")});
+  values.add("ends in", std::vector<std::size_t>{frameReportText(report).find("1 more; --json")});
 }
 
 /// What a run might have counted; every cell has other numbers.
@@ -251,7 +251,7 @@ stress::StressTally tallyOf(std::uint64_t number) {
   return tally;
 }
 
-void addStress(KeptValues& values) {
+void addStress(test::KeptValues& values) {
   using namespace stress;
   std::vector<StressCell> cells;
   std::uint64_t number = 0;
@@ -289,13 +289,13 @@ void addStress(KeptValues& values) {
 }
 
 TEST(ReportValues, AreThoseOfTheFile) {
-  KeptValues values;
+  test::KeptValues values;
   addFits(values);
   addPlacements(values);
   addCosts(values);
   addFrames(values);
   addStress(values);
-  values.expectThoseOf("unit/report_values.txt");
+  values.expect("unit/values/report_values.txt");
 }
 
 }  // namespace

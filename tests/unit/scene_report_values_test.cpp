@@ -128,7 +128,7 @@ LoadedScene oddScene() {
   return loaded;
 }
 
-void addScenes(KeptValues& values) {
+void addScenes(test::KeptValues& values) {
   LoadedScene loaded = oddScene();
   const auto add = [&](const std::string& title) {
     const nlohmann::ordered_json report = sceneReport(loaded);
@@ -226,7 +226,7 @@ Explanation oddExplanation() {
   return e;
 }
 
-void addExplanations(KeptValues& values) {
+void addExplanations(test::KeptValues& values) {
   Explanation e = oddExplanation();
   Verdict verdict{Phrase::plain("it is off"), Mend{Phrase::plain("move it"), "room", {}}};
   verdict.mend->after.box = {{-1.1, -1.2, -1.3}, {2.1, 2.2, 2.3}};
@@ -262,10 +262,10 @@ void addExplanations(KeptValues& values) {
 }
 
 TEST(SceneReportValues, AreThoseOfTheFile) {
-  KeptValues values;
+  test::KeptValues values;
   addScenes(values);
   addExplanations(values);
-  values.expectThoseOf("unit/scene_report_values.txt", 1e-5);
+  values.expect("unit/values/scene_report_values.txt", 1e-5);
 }
 
 }  // namespace

@@ -428,7 +428,7 @@ TEST(FitLight, IsThatOfTheFile) {
   ProbeFitter fitter(loaded.scene, loaded.models);
   const auto fit = fitter.fit(before);
   ASSERT_TRUE(fit);
-  KeptValues values;
+  test::KeptValues values;
   const auto add = [&](const char* name, const BoxFit& of) {
     std::vector<double> told;
     const auto errors = fitLightErrors(loaded.scene, loaded.models, fitter, before, of, [&](double done) {
@@ -437,8 +437,8 @@ TEST(FitLight, IsThatOfTheFile) {
     });
     ASSERT_TRUE(errors);
     values.part(name);
-    values.numbers("before, after", std::vector<double>{errors->before, errors->after});
-    values.numbers("faces", std::vector<double>(errors->faceGain.begin(), errors->faceGain.end()));
+    values.add("before, after", std::vector<double>{errors->before, errors->after});
+    values.add("faces", std::vector<double>(errors->faceGain.begin(), errors->faceGain.end()));
     ASSERT_FALSE(told.empty());
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
     EXPECT_GT(told.back(), 0.4);
@@ -454,7 +454,7 @@ TEST(FitLight, IsThatOfTheFile) {
   Scene dark = loaded.scene;
   dark.lights.clear();
   EXPECT_FALSE(fitLightErrors(dark, loaded.models, fitter, before, *fit));
-  values.expectThoseOf("unit/fit_light.txt", 5e-3);
+  values.expect("unit/values/fit_light.txt", 5e-3);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(ShapeValues, PolygonsAreCutIntoTheseTriangles) {
       }
     }
   }
-  expectKeptValues("polygons.txt", kept);
+  test::expectKeptValues("unit/values/polygons.txt", kept);
 }
 
 class ManyValues : public ModelValues {
@@ -111,7 +111,7 @@ TEST_F(ManyValues, OfWhereManyTrianglesMeet) {
     model.meshes.push_back(mesh);
     add(std::to_string(count), modelLines(model, ""));
   }
-  expectKeptValues("fans.txt", kept_);
+  test::expectKeptValues("unit/values/fans.txt", kept_);
 }
 
 TEST_F(ManyValues, OfPlacesFarAway) {
@@ -128,7 +128,7 @@ TEST_F(ManyValues, OfPlacesFarAway) {
       add(std::string(far) + " along " + std::to_string(axis), linesOf("far.obj", text + "f 1 2 3\n"));
     }
   }
-  expectKeptValues("far.txt", kept_);
+  test::expectKeptValues("unit/values/far.txt", kept_);
 }
 
 /// A small triangle in front of a camera that looks to +X, at these distances ahead, upwards and to the right.
@@ -165,7 +165,7 @@ TEST_F(ManyValues, OfCamerasThatCutOff) {
     camera["perspective"]["aspectRatio"] = aspect;
     add("aspect " + std::to_string(aspect), {told(camera, 1, 0, 0)});
   }
-  expectKeptValues("clips.txt", kept_);
+  test::expectKeptValues("unit/values/clips.txt", kept_);
 }
 
 /// Each number and word of the codecs' extensions in a .glb as another one.
@@ -213,7 +213,7 @@ TEST_F(ManyValues, OfCodecs) {
       }
     }
   }
-  expectKeptValues("codecs.txt", kept_);
+  test::expectKeptValues("unit/values/codecs.txt", kept_);
 }
 
 /// What is reported while files are read that are long enough for it.
@@ -249,7 +249,7 @@ TEST_F(ManyValues, OfProgress) {
   GlbBuilder glb;
   for (int i = 0; i < 3; ++i) glb.triangle();
   reported("m.glb", glb.glb());
-  expectKeptValues("progress.txt", kept_);
+  test::expectKeptValues("unit/values/progress.txt", kept_);
 }
 
 TEST_F(ManyValues, OfLongListsOfWhatIsWrong) {
@@ -293,7 +293,7 @@ TEST_F(ManyValues, OfLongListsOfWhatIsWrong) {
     EXPECT_EQ(linesOf("m.obj", wide), wanted);
   }
   add("names", wanted);
-  expectKeptValues("lists.txt", kept_);
+  test::expectKeptValues("unit/values/lists.txt", kept_);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "filters/math/shared/shader_source.h"
 #include "filters/math/technique/technique_table.h"
 #include "tests/unit/error_text.h"
-#include "tests/unit/kept_values.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -54,7 +54,7 @@ std::string functionOf(const std::string& text, const std::string& head) {
 }
 
 TEST(TechniqueTextValues, OfProbesAndLamps) {
-  KeptValues values;
+  test::KeptValues values;
   Probe second = wordedProbe("a/b\n@2");
   second.rotationDegrees = glm::dvec3(0.0);
   second.bevel.reset();
@@ -73,7 +73,7 @@ TEST(TechniqueTextValues, OfProbesAndLamps) {
   for (const double number : {0.0, 1.0, -2.5, 1e9, 1e-7, 0.1, 16777217.0, 3.4e38}) {
     values.add("number " + shaderNumber(number));
   }
-  values.expectKept("technique_text_values.txt");
+  values.expect("unit/values/technique_text_values.txt");
 }
 
 /// The text in HLSL's words, by a list of its own.

@@ -108,14 +108,14 @@ class TextValues : public ModelValues {
 
 TEST_F(TextValues, OfAnObj) {
   write("whole.mtl", bytesOf("whole.mtl"));
-  expectKeptValues("obj.txt", linesOf("whole.obj", bytesOf("whole.obj")));
-  expectKeptValues("obj_edits.txt", editedLines("whole.obj", bytesOf("whole.obj"), 2));
+  test::expectKeptValues("unit/values/obj.txt", linesOf("whole.obj", bytesOf("whole.obj")));
+  test::expectKeptValues("unit/values/obj_edits.txt", editedLines("whole.obj", bytesOf("whole.obj"), 2));
 }
 
 TEST_F(TextValues, OfMaterials) {
   const std::string mtl = bytesOf("more.mtl"), obj = objOf(mtl);
   write("more.mtl", mtl);
-  expectKeptValues("mtl.txt", materialsIn(linesOf("more.obj", obj)));
+  test::expectKeptValues("unit/values/mtl.txt", materialsIn(linesOf("more.obj", obj)));
   std::vector<std::string> told;
   for (const char* name : {"more.mtl", "whole.mtl"}) {
     const std::string text = bytesOf(name), uses = objOf(text);
@@ -127,7 +127,7 @@ TEST_F(TextValues, OfMaterials) {
       told.push_back(edit.name + ": " + differenceOf(before, materialsIn(linesOf("more.obj", uses))));
     }
   }
-  expectKeptValues("mtl_edits.txt", told);
+  test::expectKeptValues("unit/values/mtl_edits.txt", told);
 }
 
 template <typename Number>
@@ -186,11 +186,11 @@ TEST_F(TextValues, OfAPly) {
     kept.insert(kept.end(), lines.begin(), lines.end());
     for (const bool big : {false, true}) EXPECT_EQ(linesOf(name, binaryPly(text, big)), lines) << name << big;
   }
-  expectKeptValues("ply.txt", kept);
+  test::expectKeptValues("unit/values/ply.txt", kept);
   std::vector<std::string> told = editedLines("whole.ply", bytesOf("whole.ply"), 2);
   const std::vector<std::string> more = editedLines("types.ply", bytesOf("types.ply"), 1);
   told.insert(told.end(), more.begin(), more.end());
-  expectKeptValues("ply_edits.txt", told);
+  test::expectKeptValues("unit/values/ply_edits.txt", told);
 }
 
 TEST_F(TextValues, OfAnStl) {
@@ -226,8 +226,8 @@ TEST_F(TextValues, OfAnStl) {
   add("three promised", binary("made", 3, {0, 0}));
   add("solid", binary("solid facet", 2, {0, 0}));
   add("short", "made");
-  expectKeptValues("stl.txt", kept);
-  expectKeptValues("stl_edits.txt", editedLines("whole.stl", text, 2));
+  test::expectKeptValues("unit/values/stl.txt", kept);
+  test::expectKeptValues("unit/values/stl_edits.txt", editedLines("whole.stl", text, 2));
 }
 
 /// Each attribute is another one or missing, and lists of numbers are longer and shorter.
@@ -277,12 +277,12 @@ TEST_F(TextValues, OfAVtp) {
   };
   add("first piece", text.substr(0, second) + end);
   add("second piece", text.substr(0, text.find("<Piece")) + text.substr(second));
-  expectKeptValues("vtp.txt", kept);
+  test::expectKeptValues("unit/values/vtp.txt", kept);
   std::vector<std::string> told;
   for (const Edit& edit : xmlEditsOf(text)) {
     told.push_back(edit.name + ": " + differenceOf(before, linesOf("whole.vtp", edit.text)));
   }
-  expectKeptValues("vtp_edits.txt", told);
+  test::expectKeptValues("unit/values/vtp_edits.txt", told);
 }
 
 }  // namespace

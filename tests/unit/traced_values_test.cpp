@@ -194,19 +194,19 @@ void addOutdoors(Lines& lines) {
 TEST(TracedValues, OfSightsAreKept) {
   Lines lines;
   addSights(lines);
-  expectKeptValues("tests/unit/values/sight_values.txt", lines);
+  test::expectKeptValues("unit/values/sight_values.txt", lines);
 }
 
 TEST(TracedValues, OfLatticesAreKept) {
   Lines lines;
   addLattices(lines);
-  expectKeptValues("tests/unit/values/lattice_values.txt", lines);
+  test::expectKeptValues("unit/values/lattice_values.txt", lines);
 }
 
 TEST(TracedValues, OutdoorsAreKept) {
   Lines lines;
   addOutdoors(lines);
-  expectKeptValues("tests/unit/values/outdoor_values.txt", lines);
+  test::expectKeptValues("unit/values/outdoor_values.txt", lines);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The legend of each debug view, prop by prop, against view_legend.txt; the range of a view that takes it from the
-// scene; and the traced light at a pixel. After a change that is wanted, BOXPROBE_WRITE_VIEW_LEGEND=1 writes the file
+// scene; and the traced light at a pixel. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file
 // anew.
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
@@ -18,7 +18,7 @@
 #include <vtkTextProperty.h>
 
 #include "filters/vtk/inspect/shown_view.h"
-#include "tests/support/kept_numbers.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -106,7 +106,7 @@ TEST(ViewLegend, HoldsTheNameAndTheScaleOfEachView) {
   show(level, 2.0, 2.1, {});
   show(level, 2.0, 2.09, {});
   window->RemoveRenderer(renderer);
-  test::expectKeptNumbers("unit/view_legend.txt", "BOXPROBE_WRITE_VIEW_LEGEND", lines);
+  test::expectKeptValues("unit/values/view_legend.txt", lines);
 }
 
 TEST(ShownView, TakesARangeFromTheSceneWhereTheViewHasNone) {

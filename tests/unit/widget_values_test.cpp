@@ -1,6 +1,6 @@
 // What the handles' layers hold and what each drag makes of a probe, prop by prop and handle by handle, against
 // widget_values.txt and dragged_values.txt: no window is opened. After a change that is wanted,
-// BOXPROBE_WRITE_WIDGET_VALUES=1 writes the file anew.
+// BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -22,7 +22,7 @@
 
 #include "filters/vtk/actors/vtkReflectionProbe.h"
 #include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
-#include "tests/support/kept_numbers.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -271,7 +271,7 @@ TEST(WidgetValues, OfLayersAndDrags) {
       }
     }
   }
-  test::expectKeptNumbers("unit/widget_values.txt", "BOXPROBE_WRITE_WIDGET_VALUES", lines);
+  test::expectKeptValues("unit/values/widget_values.txt", lines);
 }
 
 // Through the events' positions, on a vtkReflectionProbe, and back.
@@ -312,7 +312,7 @@ TEST(WidgetValues, OfAProbeThatIsDraggedAndPutBack) {
       }
     }
   }
-  test::expectKeptNumbers("unit/dragged_values.txt", "BOXPROBE_WRITE_WIDGET_VALUES", lines);
+  test::expectKeptValues("unit/values/dragged_values.txt", lines);
 }
 
 }  // namespace
