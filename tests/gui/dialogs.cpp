@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QPointer>
 #include <QTest>
@@ -63,6 +64,17 @@ std::shared_ptr<SeenDialog> answerMessageBox(const QString& button) {
       if (QString(each->text()).remove('&').startsWith(button)) return QTest::mouseClick(each, Qt::LeftButton);
     }
     box->reject();
+  });
+  return seen;
+}
+
+std::shared_ptr<SeenDialog> answerInputDialog(const QString& text) {
+  auto seen = std::make_shared<SeenDialog>();
+  whenShown<QInputDialog>([seen, text](QInputDialog* dialog) {
+    seen->text = dialog->windowTitle() + ": " + dialog->labelText() + " " + dialog->textValue();
+    if (text.isEmpty()) return dialog->reject();
+    dialog->setTextValue(text);
+    dialog->accept();
   });
   return seen;
 }

@@ -20,6 +20,10 @@ std::shared_ptr<SeenDialog> answerMessageBox(QMessageBox::StandardButton button)
 /// The same for the button whose text begins so, without its mnemonic.
 std::shared_ptr<SeenDialog> answerMessageBox(const QString& button);
 
+/// For the next dialog that asks for a text or for one of several: types `text`, or chooses it, and accepts; rejects it
+/// if there is none.
+std::shared_ptr<SeenDialog> answerInputDialog(const QString& text);
+
 /// For the next file dialog: types `path` and accepts.
 std::shared_ptr<SeenDialog> answerFileDialog(const QString& path);
 
