@@ -20,8 +20,6 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -34,6 +32,7 @@
 #include "app/gui/window/view_tools.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 
@@ -325,25 +324,8 @@ void SessionTest::undoAll() {
 }
 
 void SessionTest::expectKept() {
-  const std::string path = BOXPROBE_SOURCE_DIR "/tests/gui/session_values.txt";
-  const std::string own = "== " + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name());
-  std::ifstream file(path);
-  std::vector<std::string> kept, others;
-  bool here = false;
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("== ", 0) == 0) here = line == own;
-    if (line != own) (here ? kept : others).push_back(line);
-  }
-  if (std::getenv("BOXPROBE_WRITE_SESSION_VALUES") != nullptr) {
-    std::ofstream written(path);
-    for (const std::string& line : others) written << line << '\n';
-    written << own << '\n';
-    for (const std::string& line : lines_) written << line << '\n';
-    ASSERT_TRUE(written.flush()) << path;
-    return;
-  }
-  EXPECT_EQ(lines_.size(), kept.size());
-  for (std::size_t i = 0; i < std::min(lines_.size(), kept.size()); ++i) EXPECT_EQ(lines_[i], kept[i]);
+  const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  test::expectKeptValues("gui/values/session_" + name + ".txt", lines_);
 }
 
 void SessionTest::wheel(const QPointF& at, int eighths, int sideways) {

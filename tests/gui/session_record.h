@@ -41,7 +41,7 @@ class SessionTest : public WindowTest {
   /// Of a menu: "name", "name on", "(name)" where it is grey, titles of its sections.
   static std::string entriesOf(const QMenu& menu);
   void undoAll();
-  /// The lines are those that session_values.txt has of this test.
+  /// The lines are those of values/session_CASE.txt.
   void expectKept();
 
   void wheel(const QPointF& at, int eighths, int sideways = 0);

@@ -1,5 +1,5 @@
-// Sessions of the window, event by event as a user has them, against session_values.txt: after each everything that
-// changed. After a change that is wanted, BOXPROBE_WRITE_SESSION_VALUES=1 writes it anew; read what became otherwise.
+// Sessions of the window, event by event as a user has them, each against values/session_CASE.txt: after each event
+// everything that changed.
 #include <gtest/gtest.h>
 
 #include <QMenu>
