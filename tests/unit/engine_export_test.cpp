@@ -24,7 +24,6 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using Json = nlohmann::json;
 
 class EngineExport : public TemporaryFolder {
  protected:
@@ -63,16 +62,16 @@ ExportSettings settings(const std::string& format, const std::string& ladder) {
 TEST_F(EngineExport, JsonSaysWhereTheProbeIsAndWhatItsLevelsHold) {
   const auto names = exportTo(settings("ktx2", "three"), {capture()});
   EXPECT_THAT(names, testing::ElementsAre("room.ktx2", "room.json", "boxprobe_three.js", "boxprobe_playcanvas.js"));
-  const Json description = Json::parse(read("room.json"));
+  const nlohmann::json description = nlohmann::json::parse(read("room.json"));
   EXPECT_EQ(description["file"], "room.ktx2");
-  EXPECT_EQ(description["origin"], Json({0.5, 1.25, 0.0}));
-  EXPECT_EQ(description["box"]["center"], Json({0.0, 1.5, 0.0}));
-  EXPECT_EQ(description["box"]["size"], Json({4.0, 3.0, 2.0}));
-  EXPECT_EQ(description["influence"]["min"], Json({-2.0, 0.0, -1.0}));
-  EXPECT_EQ(description["blendDistance"]["max"], Json({0.4, 0.5, 0.6}));
+  EXPECT_EQ(description["origin"], nlohmann::json({0.5, 1.25, 0.0}));
+  EXPECT_EQ(description["box"]["center"], nlohmann::json({0.0, 1.5, 0.0}));
+  EXPECT_EQ(description["box"]["size"], nlohmann::json({4.0, 3.0, 2.0}));
+  EXPECT_EQ(description["influence"]["min"], nlohmann::json({-2.0, 0.0, -1.0}));
+  EXPECT_EQ(description["blendDistance"]["max"], nlohmann::json({0.4, 0.5, 0.6}));
   EXPECT_NEAR(description["rotationQuaternion"][1], std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(description["rotationQuaternion"][3], std::sqrt(0.5), 1e-12);
-  EXPECT_EQ(description["cube"]["lookup"], Json({-1, 1, 1}));
+  EXPECT_EQ(description["cube"]["lookup"], nlohmann::json({-1, 1, 1}));
   EXPECT_EQ(description["ladder"]["name"], "three");
   ASSERT_EQ(description["ladder"]["levels"].size(), 2u);  // 16 and 8 texels
   EXPECT_EQ(description["ladder"]["levels"][1]["size"], 8);
@@ -83,10 +82,10 @@ TEST_F(EngineExport, BevyGetsItsIrradianceAndAnotherCentreMovesTheOrigin) {
   ExportSettings bevy = settings("ktx2", "bevy");
   bevy.center = true;
   EXPECT_THAT(exportTo(bevy, {capture()}), Contains("room_diffuse.ktx2"));
-  const Json description = Json::parse(read("room.json"));
+  const nlohmann::json description = nlohmann::json::parse(read("room.json"));
   EXPECT_EQ(description["diffuseFile"], "room_diffuse.ktx2");
   EXPECT_EQ(description["origin"], description["box"]["center"]);
-  EXPECT_EQ(description["capturedAt"], Json({0.5, 1.25, 0.0}));
+  EXPECT_EQ(description["capturedAt"], nlohmann::json({0.5, 1.25, 0.0}));
 }
 
 TEST_F(EngineExport, LatLongPicturesAreReadBackAndGodotsSceneIsFilledIn) {

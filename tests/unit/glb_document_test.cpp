@@ -16,8 +16,8 @@ namespace {
 using ::testing::HasSubstr;
 
 /// Members in the order of their names.
-nlohmann::json sorted(const Json& json) {
-  return nlohmann::json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+nlohmann::json sorted(const Json& value) {
+  return nlohmann::json::parse(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 class GlbDocuments : public TemporaryFolder {

@@ -180,12 +180,12 @@ TEST(ExrWriter, PlanesAreAsTheyWereGiven) {
 
 /// 64 x 768 texels: grain of a few percent in the rows asked for, black in the others.
 ExrLevel grainWhere(const std::function<bool(int row)>& grain) {
-  constexpr int kWidth = 64, kHeight = 768;
-  ExrLevel level{kWidth, kHeight, {}};
+  constexpr int kGrainWidth = 64, kGrainHeight = 768;
+  ExrLevel level{kGrainWidth, kGrainHeight, {}};
   std::vector<float> values;
   unsigned state = 1;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kGrainHeight; ++y) {
+    for (int x = 0; x < kGrainWidth; ++x) {
       state = state * 1664525u + 1013904223u;
       const float noise = static_cast<float>(state >> 8) / 16777216.0f;
       const float smooth = 1.6f + std::sin(0.02f * static_cast<float>(x)) + std::cos(0.03f * static_cast<float>(y));
