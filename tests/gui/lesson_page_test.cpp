@@ -202,7 +202,7 @@ TEST(LessonPageText, HasEveryKindOfStepFigureAndQuestionAsBefore) {
     keep("in another language", page, {}, {});
   }
   keep("empty", LessonPage(), {}, {});
-  test::expectKeptValues("gui/values/lesson_page.txt", lines, kExactly);
+  test::expectKeptValues("gui/values/lesson_page.txt", lines, test::kExactly);
 }
 
 }  // namespace

@@ -15,10 +15,10 @@
 #include "app/gui/lessons/lesson_step_page.h"
 #include "app/gui/lessons/lesson_task_box.h"
 #include "app/gui/widgets/text_button.h"
-#include "tests/support/kept_values.h"
 #include "tests/gui/some_lesson.h"
 #include "tests/gui/value_lines.h"
 #include "tests/gui/window_test.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -212,7 +212,7 @@ TEST(LessonValues, OfPagesTasksAndMeasuresAreAsBefore) {
   ValueLines lines;
   addLessonPages(lines);
   addMeasures(lines);
-  test::expectKeptValues("gui/values/lesson_values.txt", lines.lines(), kExactly);
+  test::expectKeptValues("gui/values/lesson_values.txt", lines.lines(), test::kExactly);
 }
 
 }  // namespace

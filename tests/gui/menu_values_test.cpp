@@ -18,8 +18,8 @@
 #include "app/gui/edit/view_state.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
-#include "tests/support/kept_values.h"
 #include "tests/gui/window_test.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -164,7 +164,7 @@ TEST_F(MenuValuesTest, EachEntryHasItsNameAndDoesWhatItDid) {
     const std::string left = differing(before, state());
     if (left != " nothing") lines.back() += " | and back:" + left;
   }
-  test::expectKeptValues("gui/values/menu_values.txt", lines, kExactly);
+  test::expectKeptValues("gui/values/menu_values.txt", lines, test::kExactly);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 #include "app/gui/widgets/value_field.h"
 #include "filters/io/scene/scene_file.h"
-#include "tests/support/kept_values.h"
 #include "tests/gui/window_test.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -153,7 +153,7 @@ TEST_F(PanelValuesTest, EachControlShowsAndSetsWhatItStandsFor) {
   readLabels(lines);
   tryFields(lines);
   tryChoices(lines);
-  test::expectKeptValues("gui/values/panel_values.txt", lines, kExactly);
+  test::expectKeptValues("gui/values/panel_values.txt", lines, test::kExactly);
 }
 
 }  // namespace

@@ -16,9 +16,9 @@
 #include "app/gui/panels/outliner_model.h"
 #include "app/gui/panels/placed_list.h"
 #include "app/gui/widgets/value_field.h"
-#include "tests/support/kept_values.h"
 #include "tests/gui/painted_panels.h"
 #include "tests/gui/value_lines.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/explained_room.h"
 #include "tests/unit/two_probes.h"
 
@@ -300,7 +300,7 @@ TEST(PanelWidgetValues, OfExplanationsRowsAndListsAreAsBefore) {
   addExplain(lines);
   addOutliner(lines);
   addPlaced(lines);
-  test::expectKeptValues("gui/values/panel_widget_values.txt", lines.lines(), kExactly);
+  test::expectKeptValues("gui/values/panel_widget_values.txt", lines.lines(), test::kExactly);
 }
 
 }  // namespace

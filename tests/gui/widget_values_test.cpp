@@ -37,9 +37,9 @@
 #include "app/gui/widgets/vector_row.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/widgets/window_words.h"
-#include "tests/support/kept_values.h"
 #include "tests/gui/painted_panels.h"
 #include "tests/gui/value_lines.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -436,7 +436,7 @@ TEST(WidgetValues, OfEachWidgetAreAsBefore) {
   addLayouts(lines);
   addFields(lines);
   addKeysAndFiles(lines);
-  test::expectKeptValues("gui/values/widget_values.txt", lines.lines(), kExactly);
+  test::expectKeptValues("gui/values/widget_values.txt", lines.lines(), test::kExactly);
 }
 
 }  // namespace
