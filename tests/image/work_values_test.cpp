@@ -10,7 +10,7 @@
 namespace boxprobe::test {
 namespace {
 
-struct Step {
+struct WorkEdit {
   const char* what;
   std::function<void(Scene&)> make;
 };
@@ -43,7 +43,7 @@ Scene roomScene() {
 }
 
 /// Each on what the one before left, until the room is as at first again.
-std::vector<Step> steps(const Scene& first) {
+std::vector<WorkEdit> steps(const Scene& first) {
   return {
       {"a wall's glow", [](Scene& s) { s.materials["wall0"].emissive = glm::vec3(0.9f, 0.1f, 0.3f); }},
       {"a roughness", [](Scene& s) { s.materials["plate"].roughness = 0.3f; }},
@@ -119,7 +119,7 @@ TEST(WorkValues, OfEachEdit) {
   };
   renderer.sync(world.scene, Changes::all());
   write("at first");
-  for (const Step& step : steps(whole)) {
+  for (const WorkEdit& step : steps(whole)) {
     world.edit(step.make);
     write(step.what);
   }
