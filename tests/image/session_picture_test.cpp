@@ -103,9 +103,8 @@ TEST(SessionPictures, PlacingTriesWhatTheFileSays) {
   const auto tell = [&](const std::string& name, const PictureCheck& check, const Placement& of) {
     values.part(name);
     for (const Phrase& sentence : check.sentences) values.add(sentence.english());
-    values.add("eyes, better, seconds",
-                   std::vector<double>{static_cast<double>(check.eyes), check.better ? 1.0 : 0.0,
-                                       check.seconds > 0.0 ? 1.0 : 0.0});
+    values.add("eyes, better, seconds", std::vector<double>{static_cast<double>(check.eyes), check.better ? 1.0 : 0.0,
+                                                            check.seconds > 0.0 ? 1.0 : 0.0});
     add(values, "before", check.before);
     add(values, "after", check.after);
     for (const RoomErrors& room : check.rooms) {
@@ -113,16 +112,16 @@ TEST(SessionPictures, PlacingTriesWhatTheFileSays) {
     }
     for (const EyePictures& view : check.views) {
       values.add("view of room " + std::to_string(view.room),
-                     std::vector<double>{view.camera.position.x, view.camera.position.z,
-                                         static_cast<double>(view.truth.width), static_cast<double>(view.after.height),
-                                         meanOf(view.before), meanOf(view.after), meanOf(view.truth)});
+                 std::vector<double>{view.camera.position.x, view.camera.position.z,
+                                     static_cast<double>(view.truth.width), static_cast<double>(view.after.height),
+                                     meanOf(view.before), meanOf(view.after), meanOf(view.truth)});
     }
     std::vector<int> viewOf;
     for (const auto& each : check.viewOf) viewOf.push_back(each ? static_cast<int>(*each) : -1);
     values.add("views of probes", viewOf);
     for (const Probe& probe : of.all()) {
       values.add(probe.name, std::vector<double>{probe.origin.x, probe.origin.z, probe.box.min.x, probe.box.max.z,
-                                                     static_cast<double>(probe.bounces)});
+                                                 static_cast<double>(probe.bounces)});
     }
     for (const PlacedProbe& each : of.probes) values.add(each.reason.english());
   };
@@ -219,10 +218,9 @@ TEST(SessionPictures, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
   for (const ReviewedCamera& row : review->cameras) {
     values.part("camera " + row.camera.name);
     values.add("light",
-                   std::vector<double>{meanOf(row.picture), meanOf(row.truth.color), meanOf(row.truth.standardError)});
+               std::vector<double>{meanOf(row.picture), meanOf(row.truth.color), meanOf(row.truth.standardError)});
     values.add("lookups", std::vector<double>{row.lookups.mean, row.lookups.most});
-    for (const PartError& part : row.parts)
-      values.add(part.part, std::vector<double>{part.light, part.relativeRmse});
+    for (const PartError& part : row.parts) values.add(part.part, std::vector<double>{part.light, part.relativeRmse});
   }
   for (const ReviewedProbe& row : review->probes) {
     ASSERT_TRUE(row.fit);

@@ -12,9 +12,9 @@
 #include "filters/io/gltf/glb_document.h"
 #include "filters/io/gltf/model_file.h"
 #include "filters/io/scene/scene_file.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/io_glb_builder.h"
-#include "tests/support/kept_values.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {

@@ -16,9 +16,9 @@
 #include "filters/io/engines/probe_import.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_json.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
-#include "tests/support/kept_values.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {

@@ -19,9 +19,9 @@
 #include "filters/io/cube/sky_picture.h"
 #include "filters/io/image/exr_reader.h"
 #include "filters/io/image/image_file.h"
+#include "tests/support/kept_values.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
-#include "tests/support/kept_values.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {

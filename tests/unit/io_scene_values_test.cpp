@@ -13,8 +13,8 @@
 #include "filters/io/scene/scene_json.h"
 #include "filters/io/scene/scene_reference.h"
 #include "filters/math/technique/parameter_table.h"
-#include "tests/unit/error_text.h"
 #include "tests/support/kept_values.h"
+#include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {

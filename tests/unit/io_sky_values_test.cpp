@@ -10,8 +10,8 @@
 
 #include "filters/io/cube/picture_repair.h"
 #include "filters/io/cube/sky_sun.h"
-#include "tests/unit/cube_pictures.h"
 #include "tests/support/kept_values.h"
+#include "tests/unit/cube_pictures.h"
 
 namespace boxprobe {
 namespace {

@@ -5,8 +5,8 @@
 #include "filters/core/scene/lesson.h"
 #include "filters/io/scene/lesson_file.h"
 #include "filters/io/scene/lesson_json.h"
-#include "tests/unit/error_text.h"
 #include "tests/support/kept_values.h"
+#include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {

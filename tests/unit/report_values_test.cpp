@@ -228,8 +228,7 @@ void addFrames(test::KeptValues& values) {
   report.objects.resize(6);
   const FrameReport::Object drawn = report.objects[4];
   report.objects.assign(40, drawn);
-  values.add("ends in",
-                 std::vector<std::size_t>{frameReportText(report).find("more; --json") == std::string::npos});
+  values.add("ends in", std::vector<std::size_t>{frameReportText(report).find("more; --json") == std::string::npos});
   report.objects.push_back(drawn);
   values.add("ends in", std::vector<std::size_t>{frameReportText(report).find("1 more; --json")});
 }

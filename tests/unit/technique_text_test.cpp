@@ -12,8 +12,8 @@
 #include "filters/io/engines/shader_literals.h"
 #include "filters/math/shared/shader_source.h"
 #include "filters/math/technique/technique_table.h"
-#include "tests/unit/error_text.h"
 #include "tests/support/kept_values.h"
+#include "tests/unit/error_text.h"
 
 namespace boxprobe {
 namespace {
