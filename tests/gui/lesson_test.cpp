@@ -11,6 +11,7 @@
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "app/gui/edit/gauge_rows.h"
@@ -233,6 +234,36 @@ TEST_F(LessonTest, TheInsetFollowsTheBoxAndGoesWithItsStep) {
   key(Qt::Key_Left);
   waitUntilIdle();
   EXPECT_FALSE(shown("lessonInset"));
+}
+
+TEST_F(LessonTest, AStepsPictureIsWholeInANarrowWindowUntilTheCameraIsMoved) {
+  openFromList(kMirror);
+  const auto& cameras = document().scene().cameras;
+  const auto stored = std::find_if(cameras.begin(), cameras.end(), [](const Camera& c) { return c.name == "A"; });
+  ASSERT_NE(stored, cameras.end());
+  const auto aspect = [&] { return static_cast<double>(window_->viewport().width()) / window_->viewport().height(); };
+  const auto now = [&] { return window_->renderer().currentCamera().verticalFovDegrees; };
+  // As wide as 16:10 at the stored camera's height.
+  const auto whole = [&] {
+    const double half = stored->verticalFovDegrees * std::acos(-1.0) / 360.0;
+    return 360.0 / std::acos(-1.0) * std::atan(std::tan(half) * std::max(1.6 / aspect(), 1.0));
+  };
+  double before = 0.0;
+  for (const QSize size : {QSize(1300, 700), QSize(1180, 1000), QSize(1240, 860)}) {
+    window_->resize(size);
+    ASSERT_TRUE(waitFor([&] { return aspect() != before; }));
+    waitUntilIdle();
+    before = aspect();
+    EXPECT_NEAR(now(), whole(), 1e-6) << before;
+  }
+  ASSERT_LT(before, 1.4);
+  const double moved = now();
+  drag({300, 300}, {380, 330});
+  window_->resize(1300, 700);
+  ASSERT_TRUE(waitFor([&] { return aspect() != before; }));
+  waitUntilIdle();
+  EXPECT_NEAR(now(), moved, 1e-6);
+  EXPECT_GT(std::abs(whole() - moved), 1.0);
 }
 
 TEST_F(LessonTest, ADragOfTheBoxDoesTheTask) {
