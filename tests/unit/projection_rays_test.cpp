@@ -13,6 +13,7 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <glm/geometric.hpp>
@@ -389,6 +390,46 @@ TEST_F(Rays, LimitsAndKinds) {
   EXPECT_NEAR(glm::length(normal.to - normal.from), 0.5, 1e-12);
   filter->SetMaximumNumberOfRays(0);
   EXPECT_TRUE(run(filter).empty());
+}
+
+// The first 31 lights may throw shadows: a bit of each probe for each.
+TEST_F(Rays, GoToTheLightsThatThrowShadows) {
+  std::vector<Light> lights(36);
+  for (Light& light : lights) {
+    light.type = LightType::Directional;
+    light.direction = {0.3, -0.9, -0.2};
+  }
+  const auto throwing = [&](std::size_t i) -> Light& {
+    lights[i].shadows = LightShadows::Coverage;
+    return lights[i];
+  };
+  throwing(1).direction = {-0.4, -0.8, 0.1};
+  throwing(3).direction = {0.1, 0.7, 0.2};  // from below the floor
+  throwing(5).type = LightType::Point;
+  lights[5].position = {0.5, 9.0, 0.25};
+  throwing(6).type = LightType::Point;  // in the box
+  lights[6].position = {0.2, 2.5, 0.3};
+  throwing(33);
+  throwing(34);  // the bits of 1 and 2, were they counted around
+  filter->SetLights(lights);
+  give({floorPoint});
+  const std::vector<Row> rows = ofKind(run(filter), RayKind::Shadow);
+  ASSERT_EQ(rows.size(), 2u);
+  const Probe probe = probeOfRoom();
+  const glm::dvec3 from = floorPoint.position, toLights[] = {{0.4, 0.8, -0.1}, lights[5].position - from};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const glm::dvec3 d = glm::normalize(toLights[i]);
+    const glm::dvec3 end((d.x > 0.0 ? 4.0 : -4.0), 3.0, d.z > 0.0 ? 3.0 : -3.0);
+    const glm::dvec3 far = (end - from) / d;
+    const double distance = std::min({far.x, far.y, far.z});
+    EXPECT_LT(glm::length(rows[i].to - (from + distance * d)), 1e-5) << i;
+    EXPECT_NEAR(rows[i].hitDistance, distance, 1e-5) << i;
+    EXPECT_LT(glm::length(rows[i].direction - (from + distance * d - probe.origin)), 1e-5) << i;
+    EXPECT_EQ(rows[i].probe, 0);
+    EXPECT_EQ(rows[i].point, 0);
+  }
+  filter->SetKindEnabled(RayKind::Shadow, false);
+  EXPECT_TRUE(ofKind(run(filter), RayKind::Shadow).empty());
 }
 
 // A table top of 1 m² half way up: rays that would reach the ceiling end there instead.
