@@ -284,6 +284,8 @@ TEST(DrawnObjects, HaveTheMaterialsNumbersAfterOverrides) {
   m.coatRoughness = 0.02f;
   EXPECT_NEAR(apply().roughnessMin, 0.02, 1e-6);
   EXPECT_NEAR(apply().roughnessMax, 0.45 * 0.8, 1e-6);
+  m.coat = 0.03f;
+  EXPECT_NEAR(apply().roughnessMin, 0.02, 1e-6) << "a thin coat is one, too";
   m.coat = 0.0f;
   EXPECT_NEAR(apply().roughnessMin, 0.45 * 0.2, 1e-6);
   m.metallicRoughnessTexture = {};
