@@ -50,10 +50,9 @@ constexpr float kLetter = 7.0f, kTall = 11.0f;
 class Memory : public vtkContextDevice2D {
  public:
   static Memory* New() { VTK_STANDARD_NEW_BODY(Memory); }
-  // clang-format off
-  vtkTypeMacro(Memory, vtkContextDevice2D)
-  // clang-format on
-  void DrawPoly(float* p, int n, unsigned char*, int) override { this->DrawLines(p, n); }
+  vtkTypeMacro(Memory, vtkContextDevice2D) void DrawPoly(float* p, int n, unsigned char*, int) override {
+    this->DrawLines(p, n);
+  }
   void DrawLines(float* p, int n, unsigned char* = nullptr, int = 0) override {
     std::string line = "line";
     for (int i = 0; i < 2 * n; ++i) line += keptNumbers(p[i]);
