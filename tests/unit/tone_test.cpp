@@ -3,6 +3,7 @@
 //   tests/unit/tone_values.txt
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -58,6 +59,27 @@ TEST(Tone, NoneCutsOffAtWhite) {
     const glm::vec3 shown = toneMapped({0.37f, 1.4f, -0.2f}, tone);
     EXPECT_EQ(shown, glm::vec3(0.37f, 1.0f, 0.0f));
   }
+}
+
+// The background colour is shown as it was chosen, whatever the tone: of colours that three.js got.
+TEST(Tone, FindsTheLightOfAColour) {
+  const std::vector<Judged> colors = judgedColors();
+  for (std::size_t k = 0; k < kTones.size(); ++k) {
+    int judged = 0;
+    double worst = 0.0;
+    for (const Judged& c : colors) {
+      const glm::vec3 shown = c.shown[k];
+      if (std::max({shown.x, shown.y, shown.z}) > 0.9f || std::min({shown.x, shown.y, shown.z}) < 0.01f) continue;
+      const glm::vec3 again = toneMapped(lightShownAs(shown, kTones[k]), kTones[k]);
+      for (int i = 0; i < 3; ++i)
+        worst = std::max(worst, 255.0 * std::abs(shownLight(again[i]) - shownLight(shown[i])));
+      ++judged;
+    }
+    EXPECT_GT(judged, 200) << static_cast<int>(kTones[k]);
+    EXPECT_LT(worst, 1.0) << static_cast<int>(kTones[k]);
+  }
+  const glm::vec3 shown(0.61f, 0.23f, 0.09f);
+  for (const Tone tone : {Tone::None, Tone::AsVtk}) EXPECT_EQ(lightShownAs(shown, tone), shown);
 }
 
 // Specification of Khronos PBR Neutral: what is not bright, less what a dielectric reflects, stays as it is.
