@@ -1,6 +1,5 @@
 // Formulas: where the parts of a fraction, a root, scripts and limits stand, and that nothing is lost. The last test
-// compares sizes and outlines with formulas.txt; after a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the
-// file anew.
+// compares sizes and outlines with formulas.txt.
 #include <gtest/gtest.h>
 
 #include <QFont>

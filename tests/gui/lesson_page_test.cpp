@@ -1,6 +1,5 @@
 // The page of lessons as it is written, line by line, against lesson_page.txt: every kind of step, figure and question
-// in it. Pictures, outlines of formulas and what stands in files of data/web are left out. After a change that is
-// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// in it. Pictures, outlines of formulas and what stands in files of data/web are left out.
 #include "app/gui/lessons/lesson_page.h"
 
 #include <gtest/gtest.h>

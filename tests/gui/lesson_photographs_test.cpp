@@ -1,6 +1,5 @@
 // What a sheet and a page of a lesson are made from, of a lesson with each kind of picture, against
-// lesson_photographs.txt: the pictures as mean colours of cells, what was measured, and the pictures of a loop. After a
-// change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew; BOXPROBE_TEST_OUTPUT keeps the pictures.
+// lesson_photographs.txt: the pictures as mean colours of cells, what was measured, and the pictures of a loop.
 #include <gtest/gtest.h>
 
 #include <fstream>

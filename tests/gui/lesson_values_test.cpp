@@ -1,5 +1,4 @@
-// What the pages of lessons say and do without a window, against lesson_values.txt. After a change that is
-// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// What the pages of lessons say and do without a window, against lesson_values.txt.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>

@@ -1,5 +1,4 @@
 // The name, keys, state and tool tip of each entry of the menus, and what choosing it changes, against menu_values.txt.
-// After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
 #include <gtest/gtest.h>
 
 #include <QAction>

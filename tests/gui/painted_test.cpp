@@ -1,6 +1,5 @@
 // What the window paints itself, against painted.txt: icons, marks, drawings of rays, curves, lesson sheets. A picture
-// is kept as the mean colours of 24 x 24 cells. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file
-// anew; look at the pictures first, BOXPROBE_TEST_OUTPUT names a folder for them.
+// is kept as the mean colours of 24 x 24 cells.
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>

@@ -1,5 +1,4 @@
-// What each control of the panels shows and does to the scene, control by control, against panel_values.txt. After a
-// change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// What each control of the panels shows and does to the scene, control by control, against panel_values.txt.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>

@@ -1,5 +1,4 @@
-// What parts of panels say and do without a window, against panel_widget_values.txt. After a change that is
-// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// What parts of panels say and do without a window, against panel_widget_values.txt.
 #include <gtest/gtest.h>
 
 #include <QCheckBox>

@@ -1,5 +1,4 @@
-// What single widgets say, hold and do without a window, against widget_values.txt. After a change that is
-// wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// What single widgets say, hold and do without a window, against widget_values.txt.
 #include <gtest/gtest.h>
 
 #include <QApplication>

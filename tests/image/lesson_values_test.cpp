@@ -1,5 +1,5 @@
 // Every kind of measure, every published form and a task for the page, in a room where nothing is symmetrical: against
-// lesson_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// lesson_measures.txt and published_forms.txt.
 #include <gtest/gtest.h>
 #include <vtkOpenGLRenderWindow.h>
 

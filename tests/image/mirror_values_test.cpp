@@ -1,6 +1,5 @@
 // Which mirrors of `mirror-hall` have a picture, its texels, what moves in it and what may hide that, for each camera
-// and many settings, against mirror_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes
-// the file anew.
+// and many settings, against mirror_values.txt.
 #include <gtest/gtest.h>
 
 #include <functional>

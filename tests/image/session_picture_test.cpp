@@ -1,6 +1,5 @@
 // What a run of the program measures on pictures: costs of a frame by a clock that the test winds, a review of a scene
-// by one process and by two, and what placing says of its trials. Against session_pictures.txt; BOXPROBE_WRITE_VALUES=1
-// writes it anew.
+// by one process and by two, and what placing says of its trials. Against files in values.
 #include <gtest/gtest.h>
 #include <vtkOpenGLRenderWindow.h>
 

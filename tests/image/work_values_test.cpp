@@ -1,5 +1,5 @@
 // What each edit of a small room has made again: faces, levels, rays, draws, and the memory of the maps, against
-// work_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// work_values.txt.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -1,5 +1,5 @@
 // The benchmark's files word by word for a result in which no two numbers are the same, and a small study of random
-// rooms, against bench_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// rooms, against bench_values.txt.
 #include <gtest/gtest.h>
 
 #include <algorithm>

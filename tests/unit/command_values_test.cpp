@@ -1,5 +1,5 @@
 // Command lines in one process: what is refused, and with which words; and what commands that draw nothing print and
-// write; against command_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// write; against command_refusals.txt, command_scripts.txt and command_results.txt.
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,5 @@
 // Every row of the scene's fields with what it allows just within and just beyond its bounds, and the small functions
-// that read, shorten and compare texts, against field_values.txt. After a change that is wanted,
-// BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// that read, shorten and compare texts, against field_values.txt.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // Everything that is said of pixels of a hall, and drawn of them, against explanation_values.txt; how each technique
-// looks its probes up, against technique_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the
-// files anew.
+// looks its probes up, against technique_values.txt.
 #include <gtest/gtest.h>
 
 #include <sstream>

@@ -1,6 +1,5 @@
 // What fits find in a house, step by step, against fit_values.txt and place_values.txt: rays, errors, planes, boxes,
-// origins; rooms, influences, lights, cameras. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the files
-// anew.
+// origins; rooms, influences, lights, cameras.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // What is derived of the geometry of a house without tracing through it, against geometry_values.txt: its lamps and
-// polygons, who draws them, mirrors, places and weights of probes, pieces of models. After a change that is wanted,
-// BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// polygons, who draws them, mirrors, places and weights of probes, pieces of models.
 #include <gtest/gtest.h>
 
 #include <cmath>

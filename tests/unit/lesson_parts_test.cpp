@@ -1,5 +1,5 @@
 // What lessons are made of without a picture: the page's own file, formulas, plans, fits and limits, compared with what
-// the page and the formulas are documented to be, and with lesson_values.txt.
+// the page and the formulas are documented to be, and with lesson_plans.txt and lesson_maps.txt.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A model as lines of text, one for each value that is not the default, for tests that compare all of it with a file in
-// tests/unit/values. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes these files anew.
+// tests/unit/values.
 #pragma once
 
 #include <string>

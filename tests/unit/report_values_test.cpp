@@ -1,5 +1,5 @@
 // What the commands say and write of fits, placements, frames and stress tests, made from results in which every number
-// is another, against report_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// is another, against report_values.txt.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

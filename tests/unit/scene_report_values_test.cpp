@@ -1,5 +1,5 @@
 // What `info` and `explain --json` tell of a scene and of a pixel in which every value is another, against
-// scene_report_values.txt. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// scene_report_values.txt.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// What is traced in a house, against traced_values.txt: visibilities of lamps, light from node to node, how open the
-// sky is, shadows on the ground. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// What is traced in a house, against sight_values.txt, lattice_values.txt and outdoor_values.txt: visibilities of
+// lamps, light from node to node, how open the sky is, shadows on the ground.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // The legend of each debug view, prop by prop, against view_legend.txt; the range of a view that takes it from the
-// scene; and the traced light at a pixel. After a change that is wanted, BOXPROBE_WRITE_VALUES=1 writes the file
-// anew.
+// scene; and the traced light at a pixel.
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkCoordinate.h>

@@ -1,6 +1,5 @@
 // What the handles' layers hold and what each drag makes of a probe, prop by prop and handle by handle, against
-// widget_values.txt and dragged_values.txt: no window is opened. After a change that is wanted,
-// BOXPROBE_WRITE_VALUES=1 writes the file anew.
+// widget_values.txt and dragged_values.txt: no window is opened.
 #include <gtest/gtest.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
