@@ -314,7 +314,7 @@ TEST(ActorChanges, CapturesReachTheFarthestActorFromEachSide) {
   for (const double side : {-1.0, 1.0}) {
     for (int axis = 0; axis < 3; ++axis) {
       Probe probe = smallProbe(room);
-      // The origin is 60 away from 0, and what is seen from there begins at 0.
+      // The origin is 60 away from 0, where what is seen from there ends.
       glm::dvec3 center(0.0);
       center[axis] = 60.0 * side;
       probe.box = {center - 0.05, center + 0.05};
@@ -322,8 +322,9 @@ TEST(ActorChanges, CapturesReachTheFarthestActorFromEachSide) {
       probes.setProbe(0, probe);
       Point a{}, b{}, c{};
       const auto first = static_cast<std::size_t>((axis + 1) % 3), second = static_cast<std::size_t>((axis + 2) % 3);
-      a[first] = b[first] = a[second] = c[second] = -40.0;
-      b[second] = c[first] = 40.0;
+      a[first] = b[first] = a[second] = c[second] = -20.0;
+      b[second] = c[first] = 20.0;
+      c[axis] = 50.0 * side;  // it leans: one end is 60 away, the other 10, the middle 35
       const auto far = plane(a, b, c);
       makeUnlit(far, 0.4, 0.8, 0.6);
       probes.addActor(far);
