@@ -5,13 +5,11 @@
 #include <QFont>
 #include <QFontMetricsF>
 #include <QGuiApplication>
-#include <QStringList>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 
 #include "app/gui/formula/formula_picture.h"
 #include "app/gui/formula/mathml_layout.h"
+#include "tests/support/kept_values.h"
 
 namespace boxprobe {
 namespace {
@@ -166,20 +164,6 @@ std::string numbersOf(const MathBox& box) {
   return text;
 }
 
-/// Do two lines have the same words, and numbers that differ by no more than rounding?
-bool alike(const std::string& one, const std::string& other) {
-  const QStringList a = QString::fromStdString(one).split(' '), b = QString::fromStdString(other).split(' ');
-  if (a.size() != b.size()) return false;
-  for (int i = 0; i < a.size(); ++i) {
-    constexpr double kSame = 2e-4;
-    bool numbers[2] = {};
-    const double off = a[i].toDouble(&numbers[0]) - b[i].toDouble(&numbers[1]);
-    const bool length = numbers[0] && numbers[1] && a[i].contains('.');
-    if (length ? std::abs(off) > kSame : a[i] != b[i]) return false;
-  }
-  return true;
-}
-
 /// Letters of other fonts have other widths.
 std::string fontsNow() {
   std::string text;
@@ -287,11 +271,13 @@ const char* const kFormulas[] = {
     "<unknown>text of it</unknown>",
 };
 
+TEST(Formula, PartsStandAsBefore) {
+  test::expectKeptValues("gui/values/formula_blocks.txt", linesOfBlocks());
+}
+
 TEST(Formula, SizesAndOutlinesAreAsBefore) {
-  const std::string path = BOXPROBE_SOURCE_DIR "/tests/gui/values/formulas.txt";
-  std::vector<std::string> lines = linesOfBlocks();
-  const std::size_t blocks = lines.size();
-  lines.push_back("fonts: " + fontsNow());
+  const std::string file = "gui/values/formulas.txt";
+  std::vector<std::string> lines = {"fonts: " + fontsNow()};
   for (const char* formula : kFormulas) {
     const std::string name = QString::fromUtf8(formula).remove(' ').toStdString();
     lines.push_back(name + ": " + numbersOf(math(formula)));
@@ -304,22 +290,9 @@ TEST(Formula, SizesAndOutlinesAreAsBefore) {
   }
   lines.push_back("no-MathML: " + numbersOf(layoutMathml("R = 2")));
   lines.push_back("svg: " + formulaSvg("<math><mo>-</mo><msqrt><mi>l</mi></msqrt></math>").toStdString());
-
-  if (std::getenv("BOXPROBE_WRITE_VALUES") != nullptr) {
-    std::ofstream file(path);
-    for (const std::string& line : lines) file << line << "\n";
-    ASSERT_TRUE(file.flush()) << path;
-    return;
-  }
-  std::ifstream file(path);
-  ASSERT_TRUE(file) << path;
-  std::vector<std::string> kept;
-  for (std::string line; std::getline(file, line);) kept.push_back(line);
-  ASSERT_EQ(lines.size(), kept.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (i == blocks && lines[i] != kept[i]) GTEST_SKIP() << "other fonts than the file was written with";
-    EXPECT_TRUE(alike(lines[i], kept[i])) << lines[i] << "\n" << kept[i];
-  }
+  if (test::writesKept(file, lines)) return;
+  if (test::keptLines(file).at(0) != lines[0]) GTEST_SKIP() << "other fonts than the file was written with";
+  test::expectKeptValues(file, lines);
 }
 
 }  // namespace

@@ -2,18 +2,16 @@
 // lesson_photographs.txt: the pictures as mean colours of cells, what was measured, and the pictures of a loop.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <map>
 
 #include "app/gui/lessons/lesson_loops.h"
 #include "app/gui/lessons/lesson_pictures.h"
 #include "filters/core/base/errors.h"
-#include "tests/gui/cell_colors.h"
+#include "tests/gui/kept_pictures.h"
 
 namespace boxprobe {
 namespace {
 
-const char* const kFile = BOXPROBE_SOURCE_DIR "/tests/gui/values/lesson_photographs.txt";
 // Of 255: drivers draw light a little otherwise.
 constexpr int kSame = 6;
 
@@ -77,7 +75,7 @@ TEST(LessonPhotographs, AreAsBefore) {
   LessonPhotographer photographer(320, 200);
   const Lesson shown = lesson();
   const LessonPictures pictures = photographer.take(shown, PicturePoint{0.62, 0.78});
-  std::map<std::string, std::string> now = {{"fonts", fontsNow()}};
+  std::map<std::string, std::string> now;
   std::map<std::string, QImage> images;
   for (std::size_t i = 0; i < pictures.steps.size(); ++i) images["step " + std::to_string(i)] = pictures.steps[i];
 
@@ -119,32 +117,7 @@ TEST(LessonPhotographs, AreAsBefore) {
   for (const auto& exercise : pictures.exercises)
     holds += exercise ? exercise->say + (exercise->holds ? " yes; " : " no; ") : "none; ";
   now["claims"] = holds;
-
-  if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT")) {
-    for (const auto& [name, image] : images) image.save(QString("%1/%2.png").arg(folder, QString::fromStdString(name)));
-  }
-  for (const auto& [name, image] : images) now["picture " + name] = cellColors(image);
-  if (std::getenv("BOXPROBE_WRITE_VALUES") != nullptr) {
-    std::ofstream file(kFile);
-    for (const auto& [name, line] : now) file << name << ": " << line << "\n";
-    ASSERT_TRUE(file.flush());
-    return;
-  }
-  std::map<std::string, std::string> before;
-  std::ifstream file(kFile);
-  ASSERT_TRUE(file) << kFile;
-  for (std::string line; std::getline(file, line);)
-    before[line.substr(0, line.find(": "))] = line.substr(line.find(": ") + 2);
-  EXPECT_EQ(before.size(), now.size());
-  const bool sameFonts = before["fonts"] == now["fonts"];
-  for (const auto& [name, line] : now) {
-    if (name == "fonts") continue;
-    if (name.rfind("picture ", 0) != 0) {
-      EXPECT_EQ(line, before[name]) << name;
-    } else if (sameFonts) {
-      EXPECT_EQ(differingCells(line, before[name], kSame), 0) << name << ": cells that differ";
-    }
-  }
+  expectKeptPictures("gui/values/lesson_photographs.txt", images, now, kSame);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "app/gui/edit/view_state.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
+#include "tests/gui/window_state.h"
 #include "tests/gui/window_test.h"
 #include "tests/support/kept_values.h"
 
@@ -25,11 +26,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Entry {
-  std::string path;
-  QAction* action = nullptr;
-};
-
 class MenuValuesTest : public WindowTest {
  protected:
   LoadedScene scene() const override {
@@ -37,31 +33,13 @@ class MenuValuesTest : public WindowTest {
                           "sky.rotationDegrees=12", "exposure=1.3"});
   }
 
-  static void addEntries(const QList<QAction*>& actions, const std::string& path, std::vector<Entry>& entries) {
-    for (QAction* action : actions) {
-      if (action->isSeparator()) continue;
-      const std::string own = path + action->text().remove('&').toStdString();
-      entries.push_back({own, action});
-      if (action->menu() != nullptr) addEntries(action->menu()->actions(), own + " > ", entries);
-    }
-  }
-
-  std::vector<Entry> entries() {
-    std::vector<Entry> all;
-    addEntries(window_->menuBar()->actions(), "", all);
-    return all;
-  }
+  std::vector<std::pair<std::string, QAction*>> entries() { return menuEntries(*window_->menuBar()); }
 
   QAction* entryAt(const std::string& path) {
-    for (const Entry& entry : entries()) {
-      if (entry.path == path) return entry.action;
+    for (const auto& [name, action] : entries()) {
+      if (name == path) return action;
     }
     return nullptr;
-  }
-
-  static std::string stateOf(const QAction& action) {
-    return std::string(action.isEnabled() ? "" : "grey ") + (action.isVisible() ? "" : "hidden ") +
-           (action.isCheckable() ? action.isChecked() ? "on" : "off" : "");
   }
 
   /// What can be told apart of the window: the scene, the selection, what is hidden, the camera, entries, panels.
@@ -80,30 +58,13 @@ class MenuValuesTest : public WindowTest {
     std::snprintf(text, sizeof text, "%.3f %.3f %.3f to %.3f %.3f %.3f", camera.position.x, camera.position.y,
                   camera.position.z, camera.target.x, camera.target.y, camera.target.z);
     all["camera"] = text;
-    for (const Entry& entry : entries()) all["entry " + entry.path] = stateOf(*entry.action);
+    for (const auto& [name, action] : entries()) all["entry " + name] = stateOf(*action);
     // What panels hold comes and goes with what is measured beside the window.
     for (const QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
       all["dock " + dock->objectName().toStdString()] = dock->isVisible() ? "shown" : "hidden";
     }
     all["counters"] = window_->findChild<QWidget*>("workCounters")->isVisible() ? "shown" : "hidden";
     return all;
-  }
-
-  static std::string differing(const std::map<std::string, std::string>& before,
-                               const std::map<std::string, std::string>& after) {
-    std::string text;
-    for (const auto& [name, value] : after) {
-      const auto was = before.find(name);
-      if (was == before.end()) {
-        text += "; " + name + " is " + value;
-      } else if (was->second != value) {
-        text += "; " + name + " " + was->second + " -> " + value;
-      }
-    }
-    for (const auto& [name, value] : before) {
-      if (after.count(name) == 0) text += "; " + name + " is gone";
-    }
-    return text.empty() ? " nothing" : text.substr(1);
   }
 
   static void turn() {
@@ -130,15 +91,15 @@ TEST_F(MenuValuesTest, EachEntryHasItsNameAndDoesWhatItDid) {
   });
   dialogs.start(50);
   std::vector<std::string> lines;
-  for (const Entry& entry : entries()) {
+  for (const auto& [name, action] : entries()) {
     QStringList keys;
-    for (const QKeySequence& key : entry.action->shortcuts()) keys << key.toString(QKeySequence::PortableText);
-    lines.push_back("entry " + entry.path + " [" + keys.join(", ").toStdString() + "] " + stateOf(*entry.action) +
-                    " '" + entry.action->toolTip().toStdString() + "'");
+    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::PortableText);
+    lines.push_back("entry " + name + " [" + keys.join(", ").toStdString() + "] " + stateOf(*action) + " '" +
+                    action->toolTip().toStdString() + "'");
   }
   turn();
   std::vector<std::string> paths;
-  for (const Entry& entry : entries()) paths.push_back(entry.path);
+  for (const auto& [name, action] : entries()) paths.push_back(name);
   for (const std::string& entryPath : paths) {
     QAction* action = entryAt(entryPath);  // some menus are filled anew
     if (action == nullptr || action->menu() != nullptr || !action->isEnabled() || leftOut(entryPath)) continue;

@@ -1,5 +1,4 @@
-// What the window paints itself, against painted.txt: icons, marks, drawings of rays, curves, lesson sheets. A picture
-// is kept as the mean colours of 24 x 24 cells.
+// What the window paints itself, against painted.txt: icons, marks, drawings of rays, curves, lesson sheets.
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
@@ -7,8 +6,6 @@
 #include <QIcon>
 #include <QImage>
 #include <QPainter>
-#include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
@@ -33,7 +30,7 @@
 #include "app/gui/widgets/text_button.h"
 #include "app/gui/widgets/tool_icons.h"
 #include "filters/vtk/widgets/view_projection.h"
-#include "tests/gui/cell_colors.h"
+#include "tests/gui/kept_pictures.h"
 #include "tests/gui/painted_panels.h"
 #include "tests/unit/explained_room.h"
 
@@ -42,8 +39,6 @@ namespace {
 
 // Of 255: what a machine may round otherwise.
 constexpr int kSame = 3;
-
-const char* const kFile = BOXPROBE_SOURCE_DIR "/tests/gui/values/painted.txt";
 
 QImage sheet(int width, int height) {
   QImage image(width, height, QImage::Format_RGB32);
@@ -272,39 +267,8 @@ TEST(Painted, IsAsBefore) {
   ASSERT_NO_FATAL_FAILURE(addDrawings(pictures));
   addLessons(pictures, svg);
   addPaintedPanels(pictures);
-  if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT")) {
-    for (const auto& [name, image] : pictures)
-      image.save(QString("%1/%2.png").arg(folder, QString::fromStdString(name)));
-  }
-  std::map<std::string, std::string> now = {{"fonts", fontsNow()}};
-  for (const auto& [name, image] : pictures) now[name] = cellColors(image);
   for (char& c : svg) c = c == '\n' ? ' ' : c;
-  now["curve as svg"] = svg;
-
-  if (std::getenv("BOXPROBE_WRITE_VALUES") != nullptr) {
-    std::ofstream file(kFile);
-    for (const auto& [name, line] : now) file << name << ": " << line << "\n";
-    ASSERT_TRUE(file.flush());
-    return;
-  }
-  std::map<std::string, std::string> before;
-  std::ifstream file(kFile);
-  ASSERT_TRUE(file) << kFile;
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t colon = line.find(": ");
-    ASSERT_NE(colon, std::string::npos) << line.substr(0, 60);
-    before[line.substr(0, colon)] = line.substr(colon + 2);
-  }
-  EXPECT_EQ(before.size(), now.size());
-  EXPECT_EQ(before["curve as svg"], now["curve as svg"]);
-  if (before["fonts"] != now["fonts"]) {
-    GTEST_SKIP() << "other fonts or another Qt than the file was written with: " << now["fonts"] << ", not "
-                 << before["fonts"];
-  }
-  for (const auto& [name, line] : now) {
-    if (name == "fonts" || name == "curve as svg") continue;
-    EXPECT_LE(differingCells(line, before[name], kSame), 0) << name << ": cells that differ";
-  }
+  expectKeptPictures("gui/values/painted.txt", pictures, {{"curve as svg", svg}}, kSame);
 }
 
 }  // namespace

@@ -32,6 +32,7 @@
 #include "app/gui/window/view_tools.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
+#include "tests/gui/window_state.h"
 #include "tests/support/kept_values.h"
 
 namespace boxprobe {
@@ -50,44 +51,6 @@ std::string joined(const std::set<std::string>& names) {
 
 std::string oneLine(QString text) {
   return text.replace('\n', " / ").toStdString();
-}
-
-void addEntries(const QList<QAction*>& actions, const std::string& path,
-                std::vector<std::pair<std::string, QAction*>>& entries) {
-  for (QAction* action : actions) {
-    if (action->isSeparator()) continue;
-    const std::string own = path + action->text().remove('&').toStdString();
-    entries.emplace_back(own, action);
-    if (action->menu() != nullptr) addEntries(action->menu()->actions(), own + " > ", entries);
-  }
-}
-
-std::vector<std::pair<std::string, QAction*>> entriesOfBar(const QMenuBar& bar) {
-  std::vector<std::pair<std::string, QAction*>> entries;
-  addEntries(bar.actions(), "", entries);
-  return entries;
-}
-
-std::string stateOf(const QAction& action) {
-  return std::string(action.isEnabled() ? "" : "grey ") + (action.isVisible() ? "" : "hidden ") +
-         (action.isCheckable() ? action.isChecked() ? "on" : "off" : "");
-}
-
-std::string differing(const std::map<std::string, std::string>& before,
-                      const std::map<std::string, std::string>& after) {
-  std::string text;
-  for (const auto& [name, value] : after) {
-    const auto was = before.find(name);
-    if (was == before.end()) {
-      text += "; " + name + " is " + value;
-    } else if (was->second != value) {
-      text += "; " + name + " " + value;
-    }
-  }
-  for (const auto& [name, value] : before) {
-    if (after.count(name) == 0) text += "; " + name + " is gone";
-  }
-  return text.empty() ? " nothing" : text.substr(1);
 }
 
 }  // namespace
@@ -249,7 +212,7 @@ std::map<std::string, std::string> SessionTest::state() {
   all["camera"] = roundedText(camera.position) + " to " + roundedText(camera.target) + " up " + roundedText(camera.up) +
                   " fov " + roundedText(camera.verticalFovDegrees) +
                   (camera.parallelHeight > 0.0 ? " parallel " + roundedText(camera.parallelHeight) : "");
-  for (const auto& [name, action] : entriesOfBar(*window_->menuBar())) {
+  for (const auto& [name, action] : menuEntries(*window_->menuBar())) {
     // Those have files of tests before, too.
     if (name.rfind("File > Open recent >", 0) != 0) all["entry " + name] = stateOf(*action);
   }
@@ -303,7 +266,7 @@ void SessionTest::note(const std::string& what) {
 }
 
 void SessionTest::choose(const std::string& entry) {
-  for (const auto& [name, action] : entriesOfBar(*window_->menuBar())) {
+  for (const auto& [name, action] : menuEntries(*window_->menuBar())) {
     if (name == entry) return action->trigger();
   }
   ADD_FAILURE() << "no menu has " << entry;

@@ -6,13 +6,11 @@
 #include <vtkOpenGLRenderWindow.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "filters/core/base/errors.h"
 #include "tests/support/kept_values.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace boxprobe::test {
 namespace {
@@ -32,16 +30,14 @@ constexpr const char* kScene = R"({"format": "boxprobe-scene", "version": 1, "mo
   "probes": [{"name": "room", "origin": [0.9, 1.1, -0.3], "box": {"min": [-2.2, 0, -2], "max": [3, 2.6, 2.4]},
     "blendDistance": 0, "faceSize": 32, "samplesPerPixel": 1, "bounces": 2, "technique": "infinite"}]})";
 
-class PlayedLesson : public testing::Test {
+class PlayedLesson : public TemporaryFolder {
  protected:
   PlayedLesson() {
-    folder_ = (std::filesystem::temp_directory_path() / "boxprobe-XXXXXX").string();
-    EXPECT_NE(::mkdtemp(folder_.data()), nullptr);
     write("room.obj", std::string("mtllib room.mtl\n") + kRoom);
     write("room.mtl", kMaterials);
     write("room.boxprobe.json", kScene);
     lesson_.path = "a lesson";
-    lesson_.scene = folder_ + "/room.boxprobe.json";
+    lesson_.scene = file("room.boxprobe.json");
     lesson_.steps.resize(5);
     lesson_.steps[1].assignments = {"probes.room.technique=\"box\""};
     lesson_.steps[1].rays = {{0.4, 0.7}, {0.6, 0.8}};
@@ -52,8 +48,6 @@ class PlayedLesson : public testing::Test {
     lesson_.steps[4].assignments = {"probes.room.faceSize=64"};
     lesson_.steps[4].reflections = false;
   }
-  ~PlayedLesson() override { std::filesystem::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ + "/" + name) << text; }
 
   static LessonMeasure measureOf(MeasureKind kind, std::optional<std::size_t> step, const std::string& name = "") {
     LessonMeasure measure;
@@ -69,7 +63,6 @@ class PlayedLesson : public testing::Test {
     values_.add(name, std::vector<double>{player.check(condition).value});
   }
 
-  std::string folder_;
   Lesson lesson_;
   test::KeptValues values_;
 };

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
 #include "app/cli/report/frame_costs.h"
 #include "app/cli/report/view_sheet.h"
@@ -17,6 +15,7 @@
 #include "filters/reference/path/reference_path.h"
 #include "tests/image/quad_world.h"
 #include "tests/support/kept_values.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace boxprobe::test {
 namespace {
@@ -167,20 +166,9 @@ TEST(SessionPictures, PlacingTriesWhatTheFileSays) {
   values.expect("image/values/picture_check.txt", 0.02);
 }
 
-class Folder {
- public:
-  Folder() {
-    name_ = (std::filesystem::temp_directory_path() / "boxprobe-XXXXXX").string();
-    EXPECT_NE(::mkdtemp(name_.data()), nullptr);
-  }
-  ~Folder() { std::filesystem::remove_all(name_); }
-  const std::string& name() const { return name_; }
+class SessionReviews : public TemporaryFolder {};
 
- private:
-  std::string name_;
-};
-
-TEST(SessionPictures, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
+TEST_F(SessionReviews, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
   LoadedScene loaded = twoRooms();
   loaded.path = "/somewhere/two.rooms.boxprobe.json";
   loaded.warnings = {"a warning"};
@@ -236,10 +224,9 @@ TEST(SessionPictures, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
   EXPECT_GT(told.back(), 0.98);
   EXPECT_LT(told.front(), 0.2);
 
-  const Folder folder;
   std::vector<std::size_t> made;
   for (int index = 1; index <= 2; ++index) {
-    const SharedWork shared(folder.name(), "0123456789abcdef", index, 2);
+    const SharedWork shared(folder_.string(), "0123456789abcdef", index, 2);
     ReviewSettings mine = settings;
     mine.shared = &shared;
     told.clear();
@@ -250,7 +237,7 @@ TEST(SessionPictures, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
     EXPECT_EQ(shared.found(), 0u);
   }
   values.add("made by each", made);
-  const SharedWork merged(folder.name(), "0123456789abcdef", 0, 1);
+  const SharedWork merged(folder_.string(), "0123456789abcdef", 0, 1);
   ReviewSettings wanted = settings;
   wanted.shared = &merged;
   const auto again = reviewScene(loaded, shown, wanted, {});
@@ -267,7 +254,7 @@ TEST(SessionPictures, AReviewIsThatOfTheFileByOneProcessAndByTwo) {
   for (const double at : {0.0, 0.5}) {
     EXPECT_FALSE(reviewScene(loaded, shown, settings, [at](double done) { return done < at; })) << at;
   }
-  const SharedWork fresh(folder.name(), "fedcba9876543210", 1, 1);
+  const SharedWork fresh(folder_.string(), "fedcba9876543210", 1, 1);
   wanted.shared = &fresh;
   EXPECT_FALSE(reviewShare(loaded, wanted, [](double) { return false; }));
   EXPECT_FALSE(reviewShare(loaded, wanted, [](double done) { return done < 0.9; }));

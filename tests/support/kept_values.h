@@ -87,19 +87,32 @@ inline bool sameKeptLine(const std::string& a, const std::string& b, double tole
 
 constexpr double kExactly = 0.0;
 
-/// `name`: of the file, as in "unit/values/gltf.txt". A line that begins with "== " is the title of those that follow.
-inline void expectKeptValues(const std::string& name, const std::vector<std::string>& lines, double tolerance = 1e-4) {
-  const std::string path = std::string(BOXPROBE_SOURCE_DIR) + "/tests/" + name;
-  if (std::getenv("BOXPROBE_WRITE_VALUES") != nullptr) {
-    std::ofstream file(path);
-    for (const std::string& line : lines) file << line << '\n';
-    ASSERT_TRUE(file.flush()) << path;
-    return;
-  }
-  std::ifstream file(path);
-  ASSERT_TRUE(file) << path;
+/// `name`: of the file, as in "unit/values/gltf.txt".
+inline std::string keptPath(const std::string& name) {
+  return std::string(BOXPROBE_SOURCE_DIR) + "/tests/" + name;
+}
+
+/// Whether the environment wants the file written anew; then it is.
+inline bool writesKept(const std::string& name, const std::vector<std::string>& lines) {
+  if (std::getenv("BOXPROBE_WRITE_VALUES") == nullptr) return false;
+  std::ofstream file(keptPath(name));
+  for (const std::string& line : lines) file << line << '\n';
+  EXPECT_TRUE(file.flush()) << name;
+  return true;
+}
+
+inline std::vector<std::string> keptLines(const std::string& name) {
+  std::ifstream file(keptPath(name));
+  EXPECT_TRUE(file) << name;
   std::vector<std::string> kept;
   for (std::string line; std::getline(file, line);) kept.push_back(line);
+  return kept;
+}
+
+/// A line that begins with "== " is the title of those that follow.
+inline void expectKeptValues(const std::string& name, const std::vector<std::string>& lines, double tolerance = 1e-4) {
+  if (writesKept(name, lines)) return;
+  const std::vector<std::string> kept = keptLines(name);
   EXPECT_EQ(lines.size(), kept.size()) << name;
   std::string title;
   int wrong = 0;  // what follows may be the same lines further on

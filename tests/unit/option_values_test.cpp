@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
+#include <filesystem>
 
 #include "app/cli/farm/bake_listing.h"
 #include "app/cli/farm/bake_share.h"
@@ -178,17 +178,16 @@ TEST(Options, ABenchmarksPlanIsThatOfItsDocumentation) {
   EXPECT_NE(benchPlan(options, scene).boxTruth.seed, plan.boxTruth.seed);
 }
 
-TEST(Options, ABenchmarksFolderIsMade) {
-  std::string name = (std::filesystem::temp_directory_path() / "boxprobe-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(name.data()), nullptr);
-  requireBenchFolder(name + "/one/two", "bench.json");
-  EXPECT_TRUE(std::filesystem::is_directory(name + "/one/two"));
-  std::ofstream(name + "/file") << "text";
-  EXPECT_EQ(errorText([&] { requireBenchFolder(name + "/file", "bench.json"); }),
-            "-o " + name + "/file: this is a file; -o names a folder");
-  EXPECT_THAT(errorText([&] { requireBenchFolder(name + "/file/below", "bench.json"); }),
+class BenchFolder : public TemporaryFolder {};
+
+TEST_F(BenchFolder, IsMade) {
+  requireBenchFolder(file("one/two"), "bench.json");
+  EXPECT_TRUE(std::filesystem::is_directory(file("one/two")));
+  write("file", "text");
+  EXPECT_EQ(errorText([&] { requireBenchFolder(file("file"), "bench.json"); }),
+            "-o " + file("file") + ": this is a file; -o names a folder");
+  EXPECT_THAT(errorText([&] { requireBenchFolder(file("file/below"), "bench.json"); }),
               HasSubstr("cannot create this folder"));
-  std::filesystem::remove_all(name);
 }
 
 Probe probeOf(const std::string& name, int faceSize, int bounces, int samples) {

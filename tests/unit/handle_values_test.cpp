@@ -1,5 +1,5 @@
 // What the handles' layers hold and what each drag makes of a probe, prop by prop and handle by handle, against
-// widget_values.txt and dragged_values.txt: no window is opened.
+// handle_values.txt and dragged_values.txt: no window is opened.
 #include <gtest/gtest.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -270,7 +270,7 @@ TEST(WidgetValues, OfLayersAndDrags) {
       }
     }
   }
-  test::expectKeptValues("unit/values/widget_values.txt", lines);
+  test::expectKeptValues("unit/values/handle_values.txt", lines);
 }
 
 // Through the events' positions, on a vtkReflectionProbe, and back.

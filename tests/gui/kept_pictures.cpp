@@ -1,5 +1,7 @@
-// See cell_colors.h.
-#include "tests/gui/cell_colors.h"
+// See kept_pictures.h.
+#include "tests/gui/kept_pictures.h"
+
+#include <gtest/gtest.h>
 
 #include <QApplication>
 #include <QFontMetrics>
@@ -9,9 +11,13 @@
 #include <cstdlib>
 #include <vector>
 
+#include "tests/support/kept_values.h"
+
 namespace boxprobe {
 
 namespace {
+
+constexpr int kCells = 24;  ///< across and down
 
 using Cell = std::array<int, 3>;
 
@@ -41,8 +47,8 @@ std::vector<Cell> cellsOf(const std::string& text, QString& size) {
   return cells;
 }
 
-}  // namespace
-
+/// Width, height, and the colour of each cell, two hexadecimal digits a channel; "x3" behind what stands three times in
+/// a row.
 std::string cellColors(const QImage& image) {
   const QImage colors = image.convertToFormat(QImage::Format_RGB32);
   QString text = QString("%1 %2").arg(image.width()).arg(image.height());
@@ -69,6 +75,7 @@ std::string cellColors(const QImage& image) {
   return text.toStdString();
 }
 
+/// All, if the sizes differ.
 int differingCells(const std::string& now, const std::string& before, int most) {
   QString sizes[2];
   const std::vector<Cell> a = cellsOf(now, sizes[0]), b = cellsOf(before, sizes[1]);
@@ -82,11 +89,41 @@ int differingCells(const std::string& now, const std::string& before, int most) 
   return count;
 }
 
+/// Widths of letters and the version of Qt: pictures with words differ where this does.
 std::string fontsNow() {
   const QFontMetrics own(QFont("DejaVu Sans", 9)), window(QApplication::font());
   const QString words = "A ray leaves at 0.123, \xce\xb8";
   return std::to_string(own.horizontalAdvance(words)) + " " + std::to_string(window.horizontalAdvance(words)) + " " +
          std::to_string(window.height()) + " " + qVersion();
+}
+
+}  // namespace
+
+void expectKeptPictures(const std::string& file, const std::map<std::string, QImage>& pictures,
+                        const std::map<std::string, std::string>& texts, int most) {
+  if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT")) {
+    for (const auto& [name, image] : pictures)
+      image.save(QString("%1/%2.png").arg(folder, QString::fromStdString(name)));
+  }
+  std::vector<std::string> lines = {"fonts: " + fontsNow()};
+  for (const auto& [name, text] : texts) lines.push_back("text " + name + ": " + text);
+  for (const auto& [name, image] : pictures) lines.push_back("picture " + name + ": " + cellColors(image));
+  if (test::writesKept(file, lines)) return;
+  std::map<std::string, std::string> kept;
+  for (const std::string& line : test::keptLines(file)) {
+    const std::size_t colon = line.find(": ");
+    ASSERT_NE(colon, std::string::npos) << line.substr(0, 60);
+    kept[line.substr(0, colon)] = line.substr(colon + 2);
+  }
+  EXPECT_EQ(kept.size(), lines.size()) << file;
+  for (const auto& [name, text] : texts) EXPECT_EQ(text, kept["text " + name]) << name;
+  if (kept["fonts"] != fontsNow()) {
+    GTEST_SKIP() << "other fonts or another Qt than the file was written with: " << fontsNow() << ", not "
+                 << kept["fonts"];
+  }
+  for (const auto& [name, image] : pictures) {
+    EXPECT_EQ(differingCells(cellColors(image), kept["picture " + name], most), 0) << name << ": cells that differ";
+  }
 }
 
 }  // namespace boxprobe

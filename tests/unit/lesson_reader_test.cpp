@@ -1,4 +1,4 @@
-// A lesson that uses every key of its grammar, read whole, and every refusal of its reader, against lesson_values.txt.
+// A lesson that uses every key of its grammar, read whole, and every refusal of its reader, against lesson_reader.txt.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -294,7 +294,7 @@ TEST(LessonValues, EverythingInALesson) {
       values.add(error.what());
     }
   }
-  values.expect("unit/values/lesson_values.txt");
+  values.expect("unit/values/lesson_reader.txt");
 }
 
 class LessonFolder : public TemporaryFolder {};
