@@ -251,6 +251,13 @@ TEST(JsonPlaces, AreThoseOfKeysAndElements) {
 
 TEST(JsonPlaces, OfMistakes) {
   const auto said = [](const std::string& text) { return errorText([&] { parseJsonText(text, "s"); }); };
+  // A word that is none: where it begins, whatever was read before.
+  const std::pair<const char*, const char*> words[] = {{R"({"a": nul})", "s:1:7: "},
+                                                       {R"([true, fals])", "s:1:8: "},
+                                                       {"[1,\n  nope]", "s:2:3: "},
+                                                       {"none", "s: not"},
+                                                       {R"(["x", trux])", "s:1:7: "}};
+  for (const auto& [text, place] : words) EXPECT_EQ(said(text).rfind(place, 0), 0u) << said(text);
   const auto start = [&](const std::string& text) {
     const std::string all = said(text);
     return all.substr(0, all.find(": not valid JSON: "));

@@ -68,11 +68,17 @@ struct SyntaxCheck : nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
   /// `position` is after the last character read; messages show where the token starts.
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
+    reason = reasonOnly(error.what());
     const std::size_t length = std::max<std::size_t>(token.size(), 1);
     const bool atToken =
         position >= length && position <= text.size() && text.compare(position - length, length, token) == 0;
     errorOffset = atToken ? position - length : position > 0 ? position - 1 : 0;
-    reason = reasonOnly(error.what());
+    if (reason.find("invalid literal") != std::string::npos) {
+      // The library's token then holds what was read before the word as well.
+      errorOffset = std::min(position > 0 ? position - 1 : 0, text.size());
+      const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+      while (errorOffset > 0 && letter(text[errorOffset - 1])) --errorOffset;
+    }
     return false;
   }
 
