@@ -237,6 +237,25 @@ class EditorSelection : public ::testing::Test {
   std::string log_;
 };
 
+TEST(ProbeCopiesValues, ACopyOfACopyStandsWhereNoneStands) {
+  // Two steps from the original lead where one step from its copy leads, but for rounding.
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    Scene scene;
+    Probe original = turnedProbe();
+    original.rotationDegrees = {0.0, 0.0, 0.0};
+    original.box.min.x = -1.86 + 0.085 * k;
+    original.box.max.x = 3.91 + 0.044 * k;
+    original.origin.x = original.box.min.x + 0.37;
+    scene.probes = {original};
+    ProbeCopies copies(scene);
+    const Probe second = copies.add(original), third = copies.add(original);
+    scene.probes.insert(scene.probes.end(), {second, third});
+    const double step = 0.1 * original.box.size().x;
+    EXPECT_NEAR(ProbeCopies(scene).add(second).box.min.x, original.box.min.x + 3.0 * step, 1e-9);
+  }
+}
+
 TEST_F(EditorSelection, GoesWithClicksAndEdits) {
   editor_.selectProbe({});
   EXPECT_EQ(now().find('['), std::string::npos);

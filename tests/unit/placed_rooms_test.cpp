@@ -337,6 +337,38 @@ TEST(PlacedRooms, ARoomInARoomHasAProbeOfItsOwn) {
   EXPECT_GE(inner->probe.importance, around->probe.importance);
 }
 
+/// Rooms of 4 and 4.4 m along x at the floor, 2.7 m high and 2.3 m deep, divided by a wall that leans over to x. Its
+/// door is 0.9 m wide and ends 0.65 m below the ceiling. `unit`: one metre.
+MadeModel roomsWithALeaningWall(float unit) {
+  MadeModel made;
+  const auto at = [unit](float x, float y, float z) { return unit * glm::vec3(x, y, z); };
+  made.box({glm::dvec3(0.0), glm::dvec3(at(8.6f, 2.7f, 2.3f))}, true);
+  const float low[3][2] = {{0.0f, 0.0f}, {0.0f, 1.5f}, {2.05f, 0.6f}},
+              high[3][2] = {{2.7f, 0.6f}, {2.7f, 2.3f}, {2.7f, 1.5f}};
+  const auto wall = [&](float x, float y, float z) { return at(x + 0.5f * y, y, z); };
+  for (int piece = 0; piece < 3; ++piece) {
+    const auto [y0, z0] = low[piece];
+    const auto [y1, z1] = high[piece];
+    made.quad(wall(4.0f, y0, z0), wall(4.0f, y0, z1), wall(4.0f, y1, z1), wall(4.0f, y1, z0));
+    made.quad(wall(4.2f, y0, z0), wall(4.2f, y1, z0), wall(4.2f, y1, z1), wall(4.2f, y0, z1));
+  }
+  made.quad(wall(4.0f, 0, 0.6f), wall(4.0f, 2.05f, 0.6f), wall(4.2f, 2.05f, 0.6f), wall(4.2f, 0, 0.6f));
+  made.quad(wall(4.0f, 0, 1.5f), wall(4.2f, 0, 1.5f), wall(4.2f, 2.05f, 1.5f), wall(4.0f, 2.05f, 1.5f));
+  made.quad(wall(4.0f, 2.05f, 0.6f), wall(4.0f, 2.05f, 1.5f), wall(4.2f, 2.05f, 1.5f), wall(4.2f, 2.05f, 0.6f));
+  made.model.materials.emplace_back().roughness = 0.15f;
+  made.model.meshes.front().material = 0;
+  return made;
+}
+
+TEST(PlacedRooms, ADoorInALeaningWallIsADoor) {
+  for (const float unit : {1.0f, 1000.0f}) {
+    SCOPED_TRACE(unit);
+    const std::optional<Placement> placement = placedIn(roomsWithALeaningWall(unit).model);
+    ASSERT_TRUE(placement);
+    EXPECT_EQ(placement->rooms.size(), 2u);
+  }
+}
+
 TEST(PlacedRooms, GlassAllAroundIsNoRoom) {
   MadeModel made = threeRooms();
   made.model.materials.front().transmission = 1.0f;

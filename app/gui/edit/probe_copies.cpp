@@ -2,6 +2,7 @@
 #include "app/gui/edit/probe_copies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "filters/core/geometry/probe_frame.h"
@@ -17,8 +18,12 @@ ProbeCopies::ProbeCopies(const Scene& scene) : names_(scene) {
 ProbeCopies::Place ProbeCopies::placeOf(const Probe& probe) {
   const Box& box = probe.box;
   const glm::dvec3 &origin = probe.origin, &turn = probe.rotationDegrees;
-  return {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z,
-          origin.x,  origin.y,  origin.z,  turn.x,    turn.y,    turn.z};
+  Place place = {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z,
+                 origin.x,  origin.y,  origin.z,  turn.x,    turn.y,    turn.z};
+  // A copy of a copy gets to a place by other sums than a copy of the original.
+  constexpr double kGrid = 1e-9;
+  for (double& value : place) value = std::nearbyint(value / kGrid) * kGrid;
+  return place;
 }
 
 Probe ProbeCopies::add(Probe probe) {

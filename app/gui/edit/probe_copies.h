@@ -18,7 +18,7 @@ class ProbeCopies {
   Probe add(Probe probe);
 
  private:
-  using Place = std::array<double, 12>;  ///< box, origin, rotation
+  using Place = std::array<double, 12>;  ///< box, origin, rotation; rounded
   static Place placeOf(const Probe& probe);
 
   ProbeNames names_;

@@ -45,6 +45,7 @@ struct ProbeGauge::Kept {
   std::unique_ptr<BoxGauger> gauger;
   Counts counts;
 
+  /// `progress` is asked whether to go on; nothing shows how far it is.
   std::optional<BoxGauge> measure(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& of,
                                   const Probe& probe, const BackgroundWork::Progress& progress) {
     if (!fitter || models != of || !(surroundings == scene)) {
@@ -54,16 +55,16 @@ struct ProbeGauge::Kept {
       models = of;
       fitter = std::make_unique<ProbeFitter>(surroundings, models);
       ++counts.structures;
-      if (!progress(0.3)) return std::nullopt;
+      if (!progress(0.0)) return std::nullopt;
     }
     if (!gauger || !sameRays(*followed, probe)) {
       gauger = std::make_unique<BoxGauger>(fitter->placeOf(probe), probe);
       followed = probe;
       ++counts.rays;
-      if (!progress(0.6)) return std::nullopt;
+      if (!progress(0.0)) return std::nullopt;
     }
     ++counts.boxes;
-    return gauger->measure(probe, [&progress](double done) { return progress(0.6 + 0.4 * done); });
+    return gauger->measure(probe, progress);
   }
 };
 

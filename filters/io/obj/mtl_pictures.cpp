@@ -212,13 +212,10 @@ std::shared_ptr<const ImageRgba8> MtlPictures::packed(const std::string& key, co
                                                       const ScalarPicture& green, const ScalarPicture& blue) {
   std::shared_ptr<const ImageRgba8>& made = made_["packed\n" + key];
   if (made) return made;
-  const ScalarPicture* largest = nullptr;
-  for (const ScalarPicture* picture : {&red, &green, &blue}) {
-    if (!picture->values.empty() && (largest == nullptr || picture->values.size() > largest->values.size())) {
-      largest = picture;
-    }
+  const ScalarPicture* largest = &red;
+  for (const ScalarPicture* picture : {&green, &blue}) {
+    if (picture->values.size() > largest->values.size()) largest = picture;
   }
-  if (largest == nullptr) return nullptr;
   const int width = largest->width, height = largest->height;
   auto image = blank(width, height, key);
   std::uint8_t* texel = image->pixels.data();
