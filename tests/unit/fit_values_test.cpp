@@ -12,6 +12,7 @@
 #include "filters/fit/box/place_check.h"
 #include "filters/fit/exposure_key.h"
 #include "filters/fit/fit_model.h"
+#include "filters/fit/fitted_camera.h"
 #include "filters/fit/place_eyes.h"
 #include "filters/fit/place_influence.h"
 #include "filters/fit/place_probes.h"
@@ -357,6 +358,10 @@ TEST(PlaceValues, OfModelsAreKept) {
   for (std::size_t i = 0; i < stands.size() && i < 3; ++i) {
     lines.push_back("  stand " + keptVector(stands[i].eyeWorld) + " floor " + keptNumber(stands[i].floor) + " height " +
                     keptNumber(stands[i].height) + " clear " + keptNumber(stands[i].clearance));
+  }
+  for (const double aspect : {0.55, 0.83, 1.0, 1.31, 1.6, 1.78, 2.1, 2.7}) {
+    lines.push_back("view of aspect " + keptNumber(aspect));
+    addCamera(lines, roomCamera(rays, stands, aspect));
   }
   addProbe(lines, roomProbe(rays, stands.front()));
   for (const auto light : {std::optional<FitLight>(), std::optional(FitLight::Ceiling), std::optional(FitLight::Studio),
