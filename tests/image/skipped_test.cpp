@@ -9,6 +9,7 @@
 #include "data/scenes/scenes.h"
 #include "filters/io/cube/cube_file.h"
 #include "filters/vtk/inspect/preview_settings.h"
+#include "filters/vtk/maps/probe_maps.h"
 #include "tests/support/scene_picture.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -199,6 +200,59 @@ TEST(Skipped, ARealtimeProbeSeesTheLevelsThatADragPutOff) {
   renderer.finishWork();
   EXPECT_GT(renderer.counters().levelsMadeLater, made);
   EXPECT_GE(renderer.counters().facesCaptured, faces + 12) << "as many rounds as it has bounces";
+}
+
+/// Texels a side of the room's map once its mirrors are as sharp as a picture of `rows` asks for.
+int texelsFor(ScenePicture& picture, int rows) {
+  picture.renderer->sharpenMirrors(rows);
+  picture.renderer->finishWork();
+  return picture.renderer->shownMaps(picture.scene.probes[0].name)->radiance.faceSize();
+}
+
+TEST(Skipped, MirrorsGetATexelAPixelAndNoMore) {
+  ScenePicture picture = roomOfOneBounce();
+  picture.scene.probes[0].faceSize = 16;
+  Camera camera = cameraNamed(picture.scene, "main");
+  camera.verticalFovDegrees = 60.0;  // a face has as many texels as 1.73 times the rows have pixels
+  picture.show(camera);
+  const std::pair<int, int> wanted[] = {{9, 16}, {10, 32}, {18, 32}, {19, 64}, {500, 64}};
+  for (const auto& [rows, texels] : wanted) EXPECT_EQ(texelsFor(picture, rows), texels) << rows;
+  camera.verticalFovDegrees = 30.0;  // 3.73 times
+  picture.show(camera);
+  for (const auto& [rows, texels] : {std::pair(4, 16), {5, 32}, {8, 32}, {9, 64}}) {
+    EXPECT_EQ(texelsFor(picture, rows), texels) << rows;
+  }
+  camera.parallelHeight = 3.0;  // twice
+  picture.show(camera);
+  for (const auto& [rows, texels] : {std::pair(8, 16), {9, 32}, {16, 32}, {17, 64}}) {
+    EXPECT_EQ(texelsFor(picture, rows), texels) << rows;
+  }
+  EXPECT_EQ(texelsFor(picture, 0), 16) << "none are asked for";
+  // Where nothing shows a mirror of it, the map stays.
+  const auto with = [&picture](const std::function<void(Scene&)>& change) {
+    const Scene before = picture.scene;
+    edit(picture, change);
+    const int texels = texelsFor(picture, 17);
+    edit(picture, [&](Scene& scene) { scene = before; });
+    return texels;
+  };
+  const auto roughness = [](float value, const char* but) {
+    return [value, but](Scene& scene) {
+      for (const char* name :
+           {"floor", "ceiling", "lamp", "sphere", "wall north", "wall south", "wall east", "wall west"}) {
+        scene.materials[name].roughness = std::string(name) == but ? 0.09f : value;
+      }
+    };
+  };
+  EXPECT_EQ(with(roughness(0.1f, "")), 16);
+  EXPECT_EQ(with(roughness(0.1f, "floor")), 64);
+  EXPECT_EQ(with([&](Scene& scene) {
+              roughness(0.1f, "floor")(scene);
+              scene.objects["floor"].visible = false;
+            }),
+            16);
+  EXPECT_EQ(with([](Scene& scene) { scene.probes[0].technique = "impostor"; }), 16)
+      << "its steps are for the distances of the scene's own size";
 }
 
 using SkippedFiles = TemporaryFolder;

@@ -187,6 +187,7 @@ SUBJECTS = [
     ("filters/vtk/rays/", ["vtk_values_test:RayColors*", "projection_rays_test", "ray_layer_test", "explain_test", "gui_test:DebugView*"]),
     ("filters/vtk/probes/driver", ["capture_test", "folded_test", "splice_test"]),
     ("filters/vtk/probes/sight", LAMPS + SHADOWS),
+    ("filters/vtk/probes/mirror_texels", ["skipped_test", "rest_test", "planar_mirror_test"]),
     ("filters/vtk/probes/stand_in", ["offscreen_scene_test", *DRAWN]),
     ("filters/vtk/probes/", ["probe_plan_test", "skipped_test", "capture_test", "baseline_test", "edited_test", "bake_test",
                              "many_probes_test", "vtk_program_test", "offscreen_scene_test"]),
