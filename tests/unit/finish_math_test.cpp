@@ -38,6 +38,13 @@ TEST(FinishMath, SheenIsTheSameBothWays) {
   }
 }
 
+TEST(FinishMath, TheSheensStrongestColourTakesFromTheLayersBelow) {
+  for (const glm::vec3& color :
+       {glm::vec3(0.9f, 0.5f, 0.3f), glm::vec3(0.3f, 0.9f, 0.5f), glm::vec3(0.5f, 0.3f, 0.9f)}) {
+    EXPECT_NEAR(static_cast<double>(shading::underSheen(color, 0.37f, 0.6f)), 1.0 - 0.9 * sheenShare(0.37, 0.6), 0.02);
+  }
+}
+
 TEST(FinishMath, BrushedWithoutStrengthIsRoundAbout) {
   const float alpha = 0.3f, a2 = alpha * alpha;
   const glm::vec3 v = glm::normalize(glm::vec3(0.4f, -0.2f, 0.7f)), l = glm::normalize(glm::vec3(-0.1f, 0.5f, 0.6f)),
