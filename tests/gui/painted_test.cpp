@@ -154,6 +154,8 @@ void addComparisons(std::map<std::string, QImage>& pictures) {
   views.show(3, QImage(), "is traced");
   views.setShown(true);
   pictures["four views"] = grabbed(other, 640, 420);
+  other.resize(960, 540);
+  pictures["four views wide"] = grabbed(other, 960, 540);
 }
 
 void addDrawings(std::map<std::string, QImage>& pictures) {
