@@ -68,6 +68,8 @@ void addLessonPages(ValueLines& lines) {
     said(kind + " not done");
     page.showResult({{}, 0.37, false});
     said(kind + " undefined");
+    page.showResult({0.41, {}, false});
+    said(kind + " with what is undefined");
     page.showResult({0.36, 0.37, true});
     said(kind + " done");
     page.showResult({0.41, 0.37, false});
@@ -166,10 +168,13 @@ void addMeasures(ValueLines& lines) {
                      [&](const LessonMeasure& measure) -> std::optional<double> {
                        told += "measures " + QString::fromStdString(measure.name);
                        if (value < 0.0) throw std::runtime_error("no\nvalue");
+                       if (measure.name == "nowhere") return std::nullopt;
                        return measure.name == "times" ? 4.0 : value;
                      }});
   QObject::connect(&check, &LessonCheck::measured, [&] {
-    told += QString("%1 of %2 %3").arg(*check.result()->value).arg(check.result()->limit).arg(check.result()->done);
+    const auto text = [](const std::optional<double>& number) { return number ? QString::number(*number) : "nothing"; };
+    const LessonCheck::Result& result = *check.result();
+    told += QString("%1 of %2 %3").arg(text(result.value), text(result.limit)).arg(result.done);
   });
   QObject::connect(&check, &LessonCheck::waiting, [&] { told += "waits"; });
   QObject::connect(&check, &LessonCheck::failed, [&](const QString& line) { told += "fails: " + line; });
@@ -191,6 +196,13 @@ void addMeasures(ValueLines& lines) {
   task.done.comparison = Comparison::Above;
   check.setTask(task);
   settle("above times");
+  task.done.times->name = "nowhere";
+  check.setTask(task);
+  settle("above times nothing");
+  std::swap(*task.done.times, task.done.measure);
+  check.setTask(task);
+  settle("of nothing above times");
+  task.done.measure.name = "value";
   value = -1.0;
   check.setTask(task);
   settle("that throws");

@@ -158,6 +158,23 @@ TEST(Relief, NoRayTakesMoreStepsThanAsked) {
   }
 }
 
+// A flat box has no interior, and squares of a float end at 1e38.
+TEST(Relief, BoxesWithoutUseHaveNoBlocks) {
+  const Relief relief(distances(64));
+  const auto count = [&relief](const glm::vec3& low, const glm::vec3& high) {
+    return reliefBlocks(relief, low, high, glm::mat3(1.0f)).count;
+  };
+  ASSERT_GT(count(kLow, kHigh), 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 flat = kHigh;
+    flat[axis] = kLow[axis];
+    EXPECT_EQ(count(kLow, flat), 0) << axis;
+    flat[axis] += 0.5e-6f * (kHigh - kLow)[axis == 0 ? 1 : 0];
+    EXPECT_EQ(count(kLow, flat), 0) << axis;
+  }
+  for (const float scale : {1.0e16f, 1.0e-17f}) EXPECT_EQ(count(scale * kLow, scale * kHigh), 0) << scale;
+}
+
 // What an octahedron's two coordinates of 12 bits lose of a direction, wherever it points. A cell reaches 1/4096 to
 // each side in both; along the octahedron that is at most the root of 6 as far, seen from its middle, at least the root
 // of 1/3 away.

@@ -53,7 +53,7 @@ void LessonCheck::measure() {
     Result result;
     result.value = hooks_.measure(condition.measure);
     const auto times = condition.times ? hooks_.measure(*condition.times) : std::optional<double>(1.0);
-    result.limit = conditionLimit(condition, times.value_or(0.0));
+    if (times) result.limit = conditionLimit(condition, *times);
     result.done = result.value && times && conditionHolds(condition, *result.value, *times);
     result_ = result;
     stale_ = false;

@@ -25,7 +25,7 @@ class LessonCheck : public QObject {
   };
   struct Result {
     std::optional<double> value;  ///< nothing: not defined for what is on show
-    double limit = 0.0;           ///< what it is compared with
+    std::optional<double> limit;  ///< what it is compared with; nothing: likewise
     bool done = false;
   };
 

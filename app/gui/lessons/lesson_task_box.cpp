@@ -46,25 +46,25 @@ void LessonTaskBox::show(const LessonTask& task, bool solved) {
   answer_->setVisible(!task.solution.empty());
 }
 
+QString LessonTaskBox::wantedText(const std::optional<double>& limit) const {
+  if (!limit) return tr("what it is compared with is undefined here");
+  const QString text = QString::fromStdString(measuredText(*limit, task_.unit));
+  switch (task_.done.comparison) {
+    case Comparison::Above:
+      return tr("done above %1").arg(text);
+    case Comparison::Below:
+      return tr("done below %1").arg(text);
+    case Comparison::Within:
+      break;
+  }
+  return tr("solved at %1 ± %2").arg(text, QString::fromStdString(measuredText(task_.done.tolerance, task_.unit)));
+}
+
 void LessonTaskBox::showResult(const LessonCheck::Result& result) {
   const QString name = measureLabel(task_.done.measure);
   const QString now =
       result.value ? QString::fromStdString(measuredText(*result.value, task_.unit)) : tr("undefined here");
-  const QString limit = QString::fromStdString(measuredText(result.limit, task_.unit));
-  QString wanted;
-  switch (task_.done.comparison) {
-    case Comparison::Above:
-      wanted = tr("done above %1").arg(limit);
-      break;
-    case Comparison::Below:
-      wanted = tr("done below %1").arg(limit);
-      break;
-    case Comparison::Within:
-      wanted =
-          tr("solved at %1 ± %2").arg(limit, QString::fromStdString(measuredText(task_.done.tolerance, task_.unit)));
-      break;
-  }
-  value_->setText(tr("%1: %2 (%3)").arg(name, now, wanted));
+  value_->setText(tr("%1: %2 (%3)").arg(name, now, wantedText(result.limit)));
   solved_ = solved_ || result.done;
   praise_->setVisible(solved_);
   if (result.done) {

@@ -29,6 +29,8 @@ class LessonTaskBox : public QFrame {
   void answerRequested();
 
  private:
+  QString wantedText(const std::optional<double>& limit) const;
+
   LessonTask task_;
   bool solved_ = false;
   QLabel *ask_, *value_, *praise_;

@@ -3823,6 +3823,10 @@ eine Abfrage, auf Fläche %1</translation>
         <translation>hier nicht definiert</translation>
     </message>
     <message>
+        <source>what it is compared with is undefined here</source>
+        <translation>womit verglichen wird, ist hier nicht definiert</translation>
+    </message>
+    <message>
         <source>done above %1</source>
         <translation>gelöst über %1</translation>
     </message>

@@ -3823,6 +3823,10 @@ one lookup, on face %1</source>
         <translation>此处未定义</translation>
     </message>
     <message>
+        <source>what it is compared with is undefined here</source>
+        <translation>比较的对象在此处未定义</translation>
+    </message>
+    <message>
         <source>done above %1</source>
         <translation>高于 %1 即完成</translation>
     </message>
