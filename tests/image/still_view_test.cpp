@@ -2,6 +2,8 @@
 // are compared byte for byte with those of a renderer that leaves nothing out.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "data/scenes/glb_writer.h"
 #include "data/scenes/scenes.h"
 #include "filters/core/scene/changes.h"
@@ -178,6 +180,39 @@ TEST_F(StillViewTest, ManyObjectsLikewise) {
   EXPECT_FALSE(checked("many_moved").pixels == main.pixels);
   rest();
   checked("many_moved_at_rest");
+}
+
+// What is asked is whether a box about an object shows, a little larger so that flat objects are not hidden by
+// themselves, in any unit.
+TEST_F(StillViewTest, AsManyAreLeftOutInEveryUnit) {
+  std::map<std::string, std::uint64_t> left;
+  for (const double unit : {1.0, 1000.0, 0.001}) {
+    scenes::Apartments made = scenes::apartments(2, 1);
+    for (Mesh& mesh : made.model.meshes) {
+      for (glm::vec3& position : mesh.positions) position *= static_cast<float>(unit);
+    }
+    for (Instance& instance : made.model.instances) instance.worldFromModel[3] *= glm::dvec4(glm::dvec3(unit), 1.0);
+    write("apartments.glb", scenes::glbBytes(made.model));
+    made.scene.models = {{file("apartments.glb")}};
+    for (Probe& probe : made.scene.probes) {
+      probe.box = {unit * probe.box.min, unit * probe.box.max};
+      probe.origin *= unit;
+      probe.influence.reset();
+    }
+    for (Camera& camera : made.scene.cameras) {
+      camera.position *= unit;
+      camera.target *= unit;
+    }
+    open(made.scene, 4);
+    for (const Camera& camera : made.scene.cameras) {
+      picture->renderer->applyCamera(camera);
+      picture->renderer->finishWork();
+      const std::uint64_t out = rest();
+      std::printf("  %g: %s %d\n", unit, camera.name.c_str(), static_cast<int>(out));
+      EXPECT_EQ(left.try_emplace(camera.name, out).first->second, out) << unit << " " << camera.name;
+      checked("unit_" + std::to_string(static_cast<int>(1.0 / unit)) + "_" + camera.name);
+    }
+  }
 }
 
 }  // namespace

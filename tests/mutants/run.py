@@ -176,6 +176,7 @@ SUBJECTS = [
     ("filters/vtk/frame/moving", SHADOWS),
     ("filters/vtk/frame/behind", GLASS),
     ("filters/vtk/frame/", REFINED + ["shadow_test", "glass_test", "frame_report_test", "offscreen_scene_test"]),
+    ("filters/vtk/gl/occlusion", ["still_view_test", "many_probes_test", "baseline_test"]),
     ("filters/vtk/gl/", ["pass_scope_test", "baseline_test", "stock_test", "prefilter_test", "capture_test", "gl_trouble_test",
                          "surfaceless_test", "windows_test", "cli_test:Info*:Render*"]),
     ("filters/vtk/maps/lamp", LAMPS),
