@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QWindow>
 
+#include "app/gui/edit/view_state.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/view/motion_preview.h"
 #include "app/gui/view/picture_work.h"
@@ -73,6 +74,7 @@ void WindowTest::SetUp() {
   window_->refinement().setRest(kNeverMilliseconds);
   window_->resize(1440, 700);
   window_->findChild<QTabWidget*>("inspectors")->setCurrentIndex(0);
+  window_->viewState().forget();  // what the test before selected and hid
   window_->showScene(scene());
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_, 60000));

@@ -6,12 +6,16 @@
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkOutlineGlowPass.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderState.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextureObject.h>
 
 #include <algorithm>
 
@@ -22,6 +26,27 @@ namespace {
 constexpr int kLayersAbove = 3;  ///< over the handles' two, which would be drawn over by it otherwise
 constexpr double kColor[3] = {1.0, 0.70, 0.10};
 constexpr float kIntensity = 8.0f;
+
+/// VTK's pass lets its textures repeat, and sets their filters once the first frame has used them: what an edge of the
+/// window cuts had an outline at the opposite edge, and the first frame another than the second.
+class ClampedOutlinePass : public vtkOutlineGlowPass {
+ public:
+  static ClampedOutlinePass* New() { VTK_STANDARD_NEW_BODY(ClampedOutlinePass); }
+  vtkTypeMacro(ClampedOutlinePass, vtkOutlineGlowPass) void Render(const vtkRenderState* state) override {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
+    for (vtkTextureObject** texture : {&this->ScenePass, &this->BlurPass1, &this->BlurPass2}) {
+      if (*texture == nullptr) {
+        *texture = vtkTextureObject::New();
+        (*texture)->SetContext(window);
+      }
+      (*texture)->SetWrapS(vtkTextureObject::ClampToEdge);
+      (*texture)->SetWrapT(vtkTextureObject::ClampToEdge);
+      (*texture)->SetMinificationFilter(vtkTextureObject::Linear);
+      (*texture)->SetMagnificationFilter(vtkTextureObject::Linear);
+    }
+    this->Superclass::Render(state);
+  }
+};
 
 }  // namespace
 
@@ -36,7 +61,7 @@ void ObjectOutline::build() {
   layer_->SetLayer(layer);
   layer_->InteractiveOff();
   vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkOutlineGlowPass> glow;
+  vtkNew<ClampedOutlinePass> glow;
   glow->SetDelegatePass(steps);
   glow->SetOutlineIntensity(kIntensity);
   layer_->SetPass(glow);
