@@ -182,7 +182,7 @@ SUBJECTS = [
     ("filters/vtk/maps/lamp", LAMPS),
     ("filters/vtk/maps/lattice", LATTICE),
     ("filters/vtk/maps/sight", LAMPS + SHADOWS),
-    ("filters/vtk/maps/openness", SHADOWS),
+    ("filters/vtk/maps/openness", ["sight_picture_test:SkyOcclusion*", *SHADOWS]),
     ("filters/vtk/maps/", ["probe_plan_test", "capture_test", "baseline_test", "edited_test", "bake_test", "prefilter_test", "splice_test",
                            "many_probes_test", "sight_picture_test", "offscreen_scene_test"]),
     ("filters/vtk/rays/", ["vtk_values_test:RayColors*", "projection_rays_test", "ray_layer_test", "explain_test", "gui_test:DebugView*"]),
