@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "filters/core/scene/scene_fields.h"
+#include "filters/fit/rays/triangle_sight.h"
 #include "tests/support/odd_room.h"
 #include "tests/support/scene_picture.h"
 #include "tests/support/shown_light.h"
@@ -24,13 +25,16 @@ inline constexpr int kEditedWidth = 40, kEditedHeight = 24;
 /// A renderer that shows the room, edited as it goes.
 class Shown {
  public:
-  explicit Shown(const OddRoom& room) : models_{room.model}, picture_(room.scene, kEditedWidth, kEditedHeight) {
+  /// `traced`: with shadows of lamps, lattices, occlusion of the sky and the ground's shadow.
+  explicit Shown(const OddRoom& room, bool traced = false)
+      : models_{room.model}, picture_(room.scene, kEditedWidth, kEditedHeight), traced_(traced) {
     startAgain(room.scene);
   }
   /// A new renderer; the window, and the programs that it has compiled, stay.
   void startAgain(const Scene& scene) {
     picture_.renderer.reset();
     picture_.renderer = std::make_unique<SceneRenderer>(picture_.window);
+    if (traced_) picture_.renderer->setSightLines(traceSightLines);
     picture_.scene = scene;
     camera_ = scene.cameras.front();
     picture_.renderer->setModels(models_);
@@ -44,6 +48,8 @@ class Shown {
     sync(changes);
   }
   ImageRgbaF picture() { return picture_.linear(1); }
+  /// As people see it: exposed, with a background.
+  ImageRgba8 display() { return picture_.display(); }
   std::string key(const std::string& probe) const {
     const auto keys = picture_.renderer->bakeKeys(probe);
     return keys.empty() ? std::string() : keys.back();
@@ -61,6 +67,7 @@ class Shown {
   std::vector<std::shared_ptr<const Model>> models_;
   ScenePicture picture_;
   Camera camera_;
+  bool traced_;
 };
 
 /// In display colours of eight bits, which is what people see of it.
@@ -70,6 +77,12 @@ inline int farthest(const ImageRgbaF& a, const ImageRgbaF& b) {
     most = std::max(most, std::abs(shownLight(a.pixels[i]) - shownLight(b.pixels[i])));
   }
   return static_cast<int>(std::lround(255.0 * most));
+}
+
+inline int farthest(const ImageRgba8& a, const ImageRgba8& b) {
+  int most = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
+  return most;
 }
 
 /// Largest difference of a component of level 0, over 1 and what the texel holds; infinite for other sizes.
@@ -116,7 +129,10 @@ inline std::optional<FieldValue> otherValue(const FieldInfo& field, const FieldV
   if (const auto* color = std::get_if<glm::vec3>(&from)) {
     return FieldValue(glm::vec3(0.37f, 0.81f, 0.55f) * (*color + 0.07f));
   }
-  if (const auto* vector = std::get_if<glm::dvec3>(&from)) return FieldValue(*vector + glm::dvec3(0.23, -0.17, 0.31));
+  if (const auto* vector = std::get_if<glm::dvec3>(&from)) {
+    const bool degrees = field.key.find("Degrees") != std::string_view::npos;
+    return FieldValue(*vector + (degrees ? 40.0 : 1.0) * glm::dvec3(0.23, -0.17, 0.31));
+  }
   if (const auto* box = std::get_if<Box>(&from)) {
     return FieldValue(Box{box->min + glm::dvec3(0.27, 0.13, 0.19), box->max - glm::dvec3(0.33, 0.41, 0.22)});
   }
