@@ -369,6 +369,41 @@ TEST(PlacedRooms, ADoorInALeaningWallIsADoor) {
   }
 }
 
+// Two halls of 2.7 m whose ends, 2.1 m high, lie side by side. An opening between them reaches the ceiling there: it is
+// no door, whatever the height of the halls farther on.
+TEST(PlacedRooms, AnOpeningUpToTheCeilingIsNoDoor) {
+  MadeModel made;
+  const Box lowA{glm::dvec3(0, 0, 0), glm::dvec3(4, 2.1, 2.4)}, highA{glm::dvec3(0, 0, 2.4), glm::dvec3(4, 2.7, 6)},
+      lowB{glm::dvec3(4.2, 0, 0), glm::dvec3(8.3, 2.1, 2.4)}, highB{glm::dvec3(4.2, 0, -3.7), glm::dvec3(8.3, 2.7, 0)},
+      passage{glm::dvec3(4, 0, 0.7), glm::dvec3(4.2, 2.1, 1.7)};
+  for (const Box& box : {lowA, highA, lowB, highB, passage}) {
+    made.side(box, 1, false);
+    made.side(box, 1, true);
+  }
+  for (const bool upper : {false, true}) {
+    made.side(highA, 0, upper);
+    made.side(highB, 0, upper);
+    made.side(passage, 2, upper);
+  }
+  made.side(lowA, 0, false);
+  made.side(lowB, 0, true);
+  made.side(lowA, 2, false);
+  made.side(lowB, 2, true);
+  made.side(highA, 2, true);
+  made.side(highB, 2, false);
+  made.side({glm::dvec3(0, 2.1, 2.4), highA.max}, 2, false);
+  made.side({glm::dvec3(4.2, 2.1, -3.7), highB.max}, 2, true);
+  for (const auto& [from, to] : {std::pair(0.0, 0.7), std::pair(1.7, 2.4)}) {
+    made.side({glm::dvec3(0, 0, from), glm::dvec3(4, 2.1, to)}, 0, true);
+    made.side({glm::dvec3(4.2, 0, from), glm::dvec3(8.3, 2.1, to)}, 0, false);
+  }
+  made.model.materials.emplace_back().roughness = 0.15f;
+  made.model.meshes.front().material = 0;
+  const std::optional<Placement> placement = placedIn(std::move(made.model));
+  ASSERT_TRUE(placement);
+  EXPECT_EQ(placement->rooms.size(), 1u);
+}
+
 TEST(PlacedRooms, GlassAllAroundIsNoRoom) {
   MadeModel made = threeRooms();
   made.model.materials.front().transmission = 1.0f;
