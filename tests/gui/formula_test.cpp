@@ -176,7 +176,7 @@ std::string fontsNow() {
       text += " " + std::to_string(std::lround(QFontMetricsF(font).horizontalAdvance("Mxg\u03b8\u2211")));
     }
   }
-  return text.substr(1);
+  return text.substr(1) + " " + qVersion();  // another Debian slants letters otherwise
 }
 
 std::vector<std::string> linesOfBlocks() {

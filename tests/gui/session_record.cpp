@@ -177,7 +177,10 @@ void SessionTest::addOverlays(std::map<std::string, std::string>& all) {
   }
   for (const QLabel* label : picture.findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) {
     if (!label->objectName().isEmpty() || !label->isVisible()) continue;
-    all["readout"] += oneLine(label->text()) + " at " + std::to_string(label->x()) + " " + std::to_string(label->y());
+    // At the picture's end it stands by the size of its text, which is the fonts'.
+    const auto from = [](int at, int size, int room) { return at + size == room ? "end" : std::to_string(at); };
+    all["readout"] += oneLine(label->text()) + " at " + from(label->x(), label->width(), picture.width()) + " " +
+                      from(label->y(), label->height(), picture.height());
   }
 }
 

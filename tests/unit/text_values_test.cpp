@@ -243,7 +243,8 @@ std::vector<Edit> xmlEditsOf(const std::string& text) {
                          " " + changed + " -> " + by,
                      text.substr(0, from) + by + text.substr(to)});
   };
-  for (std::size_t at = text.find("=\""); at != std::string::npos; at = text.find("=\"", at + 2)) {
+  // What a reader of XML says of another version is the library's.
+  for (std::size_t at = text.find("=\"", text.find("?>")); at != std::string::npos; at = text.find("=\"", at + 2)) {
     const std::size_t key = text.rfind(' ', at) + 1, end = text.find('"', at + 2);
     add(key, end + 1, "");
     for (const char* other : {"7", "0", "ascii", "UInt8"})
