@@ -92,6 +92,12 @@ TEST_F(Files, AnOutputIsNoInputUnderAnyName) {
               "-o " + file("soft.txt") + ": this is the input " + file(name) + "; write to another file");
   }
   EXPECT_EQ(readWholeFile(write("other.txt", "other")), "other");
+  // Once the output is another file, what it was may be read.
+  declareOutput("-o", write("out.txt", "before"));
+  std::filesystem::create_hard_link(file("out.txt"), file("kept.txt"));
+  EXPECT_NE(errorText([&] { readWholeFile(file("kept.txt")); }), "");
+  std::filesystem::rename(write("made.txt", "made"), file("out.txt"));
+  EXPECT_EQ(readWholeFile(file("kept.txt")), "before");
 }
 
 TEST_F(Files, LinksStayLinksAlsoDanglingOnesInChains) {

@@ -4,6 +4,7 @@
 
 #include "filters/math/cube/cube_filter.h"
 #include "filters/math/cube/cube_filter_reference.h"
+#include "filters/math/cube/openings.h"
 #include "tests/unit/filter_cubes.h"
 
 namespace {
@@ -47,6 +48,36 @@ TEST(Prefilter, AConstantStaysConstantAtEveryLevel) {
         });
       }
     }
+  }
+}
+
+TEST(Openings, OneTexelIsEnough) {
+  CubeMap whole = cubeOf(4, [](const glm::vec3&) { return glm::vec3(0.3f); });
+  EXPECT_FALSE(anyOpening(whole)) << "else a closed room pays for the sky";
+  for (const auto& [face, column, row] : {std::tuple(0, 0, 0), {2, 3, 1}, {5, 3, 3}}) {
+    CubeMap open = whole;
+    open.setTexel(0, face, column, row, glm::vec4(0.3f, 0.3f, 0.3f, 0.999f));
+    EXPECT_TRUE(anyOpening(open)) << face;
+  }
+}
+
+// Whatever the colour, the same numbers: patches stand where their light is.
+TEST(Prefilter, TheReferenceWeighsColoursAlike) {
+  std::vector<CubeMap> chains;
+  for (int c = 0; c < 3; ++c) {
+    const CubeMap source = cubeOf(8, [c](const glm::vec3& d) {
+      glm::vec3 color(0.0f);
+      color[c] = 0.2f + std::abs(std::sin(37.0f * d.x + 23.0f * d.y - 11.0f * d.z)) * (d.x > 0.6f ? 30.0f : 1.0f);
+      return color;
+    });
+    chains.push_back(referenceChain(source, {}));
+  }
+  for (int level = 1; level < chains[0].levels(); ++level) {
+    forEachTexel(chains[0].levelSize(level), [&](int face, int column, int row) {
+      const float red = chains[0].texel(level, face, column, row).x;
+      EXPECT_EQ(chains[1].texel(level, face, column, row).y, red);
+      EXPECT_EQ(chains[2].texel(level, face, column, row).z, red);
+    });
   }
 }
 

@@ -2,6 +2,7 @@
 // and that no input makes them look up anything that is not finite.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -114,6 +115,26 @@ double exactLevel(const std::string& evaluation, const std::string& curve, const
 
 const std::vector<std::string_view>& curves() {
   return findParameter("curve")->choices;
+}
+
+// Nothing is hit, whatever the call before has left in memory.
+TEST(Projections, WithoutABoxHitNothing) {
+  Inputs inputs;
+  for (int i = 0; i < 100; ++i) {
+    const Input in = inputs.next();
+    for (const char* id : {"normal", "infinite"}) {
+      for (const std::string_view each : {std::string_view("box"), std::string_view(id)}) {
+        const auto row = std::find_if(projectionRows().begin(), projectionRows().end(),
+                                      [&](const ProjectionRow& known) { return known.id == each; });
+        const shading::ProbeHit hit = row->project(in.probe, in.point.position, in.point.normal, in.point.reflection);
+        if (each == "box") continue;
+        EXPECT_EQ(hit.slabFactors, vec3(hit.distance)) << id;
+        EXPECT_GT(hit.distance, 1.0e30f) << id;
+        EXPECT_EQ(hit.face, -1) << id;
+        EXPECT_EQ(hit.refined, 0.0f) << id;
+      }
+    }
+  }
 }
 
 TEST(Techniques, ChooseOnlyWhatTheyRead) {

@@ -17,7 +17,7 @@ namespace {
 
 struct DeclaredOutput {
   FileIdentity file;
-  std::string called;  ///< "-o out.png"
+  std::string path, called;  ///< called: "-o out.png"
 };
 
 std::vector<DeclaredOutput>& declaredOutputs() {
@@ -35,6 +35,8 @@ void requireInput(const std::string& path, const FileStatus& status) {
   }
   for (const DeclaredOutput& output : declaredOutputs()) {
     if (!(output.file == status.identity)) continue;
+    // The number of a file that was replaced may be another file's since.
+    if (const auto now = fileStatus(output.path); now && !(now->identity == output.file)) continue;
     throw InputError(output.called + ": this is the input " + path + "; write to another file");
   }
 }
@@ -101,7 +103,7 @@ std::uintmax_t requireInputFile(const std::string& path) {
 }
 
 void declareOutput(const std::string& option, const std::string& path) {
-  if (const auto status = fileStatus(path)) declaredOutputs().push_back({status->identity, option + " " + path});
+  if (const auto status = fileStatus(path)) declaredOutputs().push_back({status->identity, path, option + " " + path});
 }
 
 }  // namespace boxprobe

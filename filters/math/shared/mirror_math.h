@@ -26,6 +26,7 @@ namespace boxprobe::shading {
 #undef MIRROR_PICTURE
 
 vec2 mirrorPlace(MirrorLook look, vec3 position);
+bool mirrorReaches(MirrorLook look, vec3 position, vec3 reflection, float alpha);
 float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidAngle, int steps);
 int mirrorFetches(MirrorLook look, vec3 position, vec3 normal, vec3 view, float roughness);
 float mirrorLevel(MirrorLook look, vec3 met, float distance, float solidAngle);
