@@ -110,6 +110,7 @@ void SessionTest::SetUp() {
   window_->viewState().selectObjects({"floor"});
   window_->viewState().selectObjects({});
   choose("View > Reset view");
+  move({3.0, 3.0});  // where no handle is, for the cursor
   move({-3.0, -3.0});
   setDrawn(false);
   turn();
