@@ -223,7 +223,7 @@ TEST(LessonValues, OfPagesTasksAndMeasuresAreAsBefore) {
   ValueLines lines;
   addLessonPages(lines);
   addMeasures(lines);
-  test::expectKeptValues("gui/values/lesson_values.txt", lines.lines(), test::kExactly);
+  expectKeptWidgets("gui/values/lesson_values.txt", lines.lines());
 }
 
 }  // namespace

@@ -299,7 +299,7 @@ TEST(PanelWidgetValues, OfExplanationsRowsAndListsAreAsBefore) {
   addExplain(lines);
   addOutliner(lines);
   addPlaced(lines);
-  test::expectKeptValues("gui/values/panel_widget_values.txt", lines.lines(), test::kExactly);
+  expectKeptWidgets("gui/values/panel_widget_values.txt", lines.lines());
 }
 
 }  // namespace

@@ -96,12 +96,7 @@ void SessionTest::SetUp() {
     WindowTest::SetUp();
     shown = document().scene();
   }
-  // Docks keep their widths, whatever those are.
-  for (int i = 0; i < 4 && window_->viewport().size() != QSize(kWidth, kHeight); ++i) {
-    window_->resize(window_->size() + QSize(kWidth, kHeight) - window_->viewport().size());
-    turn();
-  }
-  ASSERT_EQ(window_->viewport().size(), QSize(kWidth, kHeight));
+  sizePicture(QSize(kWidth, kHeight));
   document().restore(Document::State::opened(shown, document().path(), "room"));
   emit window_->editor().settled();
   // It is measured beside the window, and its marks over the picture take the mouse.
@@ -178,10 +173,13 @@ void SessionTest::addOverlays(std::map<std::string, std::string>& all) {
   }
   for (const QLabel* label : picture.findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) {
     if (!label->objectName().isEmpty() || !label->isVisible()) continue;
-    // At the picture's end it stands by the size of its text, which is the fonts'.
-    const auto from = [](int at, int size, int room) { return at + size == room ? "end" : std::to_string(at); };
-    all["readout"] += oneLine(label->text()) + " at " + from(label->x(), label->width(), picture.width()) + " " +
-                      from(label->y(), label->height(), picture.height());
+    all["readout"] += oneLine(label->text());
+    // Beside the pointer, and within the picture: how wide its text is depends on the fonts.
+    EXPECT_EQ(label->size(), label->sizeHint());
+    const QPoint beside = pointer().toPoint() + QPoint(22, 22),
+                 most(picture.width() - label->width(), picture.height() - label->height());
+    EXPECT_EQ(label->x(), std::min(beside.x(), most.x())) << label->text().toStdString();
+    EXPECT_EQ(label->y(), std::min(beside.y(), most.y())) << label->text().toStdString();
   }
 }
 

@@ -435,7 +435,7 @@ TEST(WidgetValues, OfEachWidgetAreAsBefore) {
   addLayouts(lines);
   addFields(lines);
   addKeysAndFiles(lines);
-  test::expectKeptValues("gui/values/widget_values.txt", lines.lines(), test::kExactly);
+  expectKeptWidgets("gui/values/widget_values.txt", lines.lines());
 }
 
 }  // namespace

@@ -95,10 +95,19 @@ void WindowTest::waitUntilIdle() {
   ASSERT_EQ(window_->renderer().error(), "");
 }
 
+void WindowTest::sizePicture(const QSize& size) {
+  for (int i = 0; i < 4 && window_->viewport().size() != size; ++i) {
+    window_->resize(window_->size() + size - window_->viewport().size());
+    for (int turn = 0; turn < 4; ++turn) QCoreApplication::processEvents();
+  }
+  ASSERT_EQ(window_->viewport().size(), size);
+}
+
 void WindowTest::mouse(QEvent::Type type, const QWidget* over, const QPointF& position, Qt::MouseButton button,
                        Qt::KeyboardModifiers modifiers) {
   QWindow* window = window_->windowHandle();
   const QPointF local = QPointF(over->mapTo(window_, QPoint(0, 0))) + position;
+  pointer_ = local - QPointF(window_->viewport().mapTo(window_, QPoint(0, 0)));
   timestamp_ += type == QEvent::MouseButtonPress ? kMillisecondsApart : 1;
   qt_handleMouseEvent(window, local, window->mapToGlobal(QPoint(0, 0)) + local, buttons_, button, type, modifiers,
                       timestamp_);

@@ -45,6 +45,8 @@ class WindowTest : public ::testing::Test {
 
   /// Until nothing is left to capture or draw.
   void waitUntilIdle();
+  /// By the window: panels take as much of it as their fonts ask for.
+  void sizePicture(const QSize& size);
   /// The mouse over the picture: positions in the viewport's logical pixels. Each event is handled, and whatever it
   /// causes in the same turns of the event loop, before the call returns.
   void press(const QPointF& pixel, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButton button = Qt::LeftButton);
@@ -73,6 +75,8 @@ class WindowTest : public ::testing::Test {
   const Probe& probe(std::size_t index = 0) const { return window_->document().scene().probes.at(index); }
   const Counters& counters() const;
   Document& document() { return window_->document(); }
+  /// Where the mouse was last, in the viewport's pixels.
+  QPointF pointer() const { return pointer_; }
   MainWindow* window_ = nullptr;
 
  private:
@@ -80,6 +84,7 @@ class WindowTest : public ::testing::Test {
              Qt::KeyboardModifiers modifiers);
 
   Qt::MouseButtons buttons_;
+  QPointF pointer_;
   int timestamp_ = 0;
 };
 

@@ -14,7 +14,7 @@
 namespace boxprobe::test {
 namespace {
 
-// A driver may filter bytes with weights of 8 bits: three of them, in the share and in a moment of at most 1.
+// A driver may filter with weights of 8 bits: one for each of three axes, for the share and for a moment of at most 1.
 const float kFilter = 3.0f / 256.0f * (1.0f + std::sqrt(3.0f));
 
 // Without probes the sky lights the building, past what stands in it.

@@ -182,8 +182,8 @@ TEST_F(StillViewTest, ManyObjectsLikewise) {
   checked("many_moved_at_rest");
 }
 
-// What is asked is whether a box about an object shows, a little larger so that flat objects are not hidden by
-// themselves, in any unit.
+// An object is hidden if no pixel of a box about it shows. The box is a little larger than the object, in any unit, or
+// flat objects would hide themselves.
 TEST_F(StillViewTest, AsManyAreLeftOutInEveryUnit) {
   std::map<std::string, std::uint64_t> left;
   for (const double unit : {1.0, 1000.0, 0.001}) {
@@ -209,6 +209,7 @@ TEST_F(StillViewTest, AsManyAreLeftOutInEveryUnit) {
       picture->renderer->finishWork();
       const std::uint64_t out = rest();
       std::printf("  %g: %s %d\n", unit, camera.name.c_str(), static_cast<int>(out));
+      EXPECT_GE(out, 1u) << unit << " " << camera.name;
       EXPECT_EQ(left.try_emplace(camera.name, out).first->second, out) << unit << " " << camera.name;
       checked("unit_" + std::to_string(static_cast<int>(1.0 / unit)) + "_" + camera.name);
     }

@@ -31,8 +31,8 @@ class MtlPictures {
   std::shared_ptr<const ImageRgba8> color(const MtlMap& map);
   /// The channel of -imfchan; else the alpha of a mask that has one, else the luminance. Empty: cannot be shown.
   ScalarPicture scalar(const MtlMap& map, bool mask = false) const;
-  /// The texels of three scalars (or constants where a picture is empty; one has values) as red, green and blue; `key`
-  /// tells equal ones.
+  /// The texels of three scalars as red, green and blue, 1 where a picture is empty; not all three may be. `key` tells
+  /// equal ones.
   std::shared_ptr<const ImageRgba8> packed(const std::string& key, const ScalarPicture& red, const ScalarPicture& green,
                                            const ScalarPicture& blue);
   /// `color`, or white, with a mask as its alpha.

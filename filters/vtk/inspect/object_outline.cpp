@@ -27,8 +27,8 @@ constexpr int kLayersAbove = 3;  ///< over the handles' two, which would be draw
 constexpr double kColor[3] = {1.0, 0.70, 0.10};
 constexpr float kIntensity = 8.0f;
 
-/// VTK's pass lets its textures repeat, and sets their filters once the first frame has used them: what an edge of the
-/// window cuts had an outline at the opposite edge, and the first frame another than the second.
+/// VTK 9.1 lets this pass's textures repeat, which gives what an edge of the window cuts an outline at the opposite
+/// edge, and sets their filters after the first frame has used them.
 class ClampedOutlinePass : public vtkOutlineGlowPass {
  public:
   static ClampedOutlinePass* New() { VTK_STANDARD_NEW_BODY(ClampedOutlinePass); }
